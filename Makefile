@@ -1,0 +1,34 @@
+# The front door for people. How things are built stands in CMakeLists.txt alone.
+.DEFAULT_GOAL := help
+.PHONY: help build demo test golden-update clean
+BUILD := build
+JOBS := $(shell nproc 2>/dev/null || echo 2)
+CONFIGURE := cmake -S . -B $(BUILD) --log-level=WARNING
+
+help: ## show this list
+	@echo "make TARGET:"
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1|\2/p' Makefile | awk -F'|' '{ printf "  %-14s %s\n", $$1, $$2 }'
+
+build: ## build the simulator, build/fixcast (installs what is missing with apt-get, as the next three do)
+	@.ci/install build
+	@$(CONFIGURE) >/dev/null
+	@cmake --build $(BUILD) --parallel $(JOBS) --target fixcast_simulator
+
+demo: ## render three scenes into build/demo and print how exact they are
+	@.ci/install demo
+	@$(MAKE) --no-print-directory build
+	@python3 host_sim/demo.py $(BUILD)/fixcast $(BUILD)/demo
+
+test: ## build everything and run all tests, those on emulated chips too (some minutes)
+	@.ci/install test
+	@$(CONFIGURE) >/dev/null
+	@cmake --build $(BUILD) --parallel $(JOBS)
+	@cd $(BUILD) && ctest --output-on-failure -j $(JOBS)
+
+golden-update: ## rewrite tests/golden/crc.txt from what the simulator renders now
+	@.ci/install demo
+	@$(MAKE) --no-print-directory build
+	@python3 tests/checks/golden.py --update $(BUILD)/fixcast
+
+clean: ## remove everything that was built
+	@rm -rf $(BUILD)

@@ -1,0 +1,170 @@
+/* A scene as C. */
+#include "bake.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace host {
+namespace {
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/* Beyond 16 bits a plain constant would depend on the chip's int. */
+std::string c_int(std::int32_t v) {
+  const std::string text = std::to_string(v);
+  return v >= -32767 && v <= 32767 ? text : "INT32_C(" + text + ")";
+}
+
+std::string c_uint(std::uint32_t v) {
+  const std::string text = std::to_string(v);
+  return v <= 32767 ? text : "UINT32_C(" + text + ")";
+}
+
+std::string c_u16(std::uint16_t v) {
+  const std::string text = std::to_string(v);
+  return v <= 32767 ? text : text + "u";
+}
+
+std::string c_vec3(const fc_vec3 &v) {
+  return "{" + c_int(v.x) + ", " + c_int(v.y) + ", " + c_int(v.z) + "}";
+}
+std::string c_rgb(const fc_rgb &c) {
+  return "{" + c_u16(c.r) + ", " + c_u16(c.g) + ", " + c_u16(c.b) + "}";
+}
+
+std::string c_item(const fc_vec3 &v) {
+  return c_vec3(v);
+}
+std::string c_item(const fc_material &m) {
+  return "{" + c_rgb(m.diffuse) + "}";
+}
+std::string c_item(const fc_sphere &s) {
+  return "{" + c_vec3(s.center) + ", " + c_int(s.radius) + ", " + c_u16(s.material) + ", " + c_u16(s.object) +
+         "}";
+}
+std::string c_item(const fc_plane &p) {
+  return "{" + c_vec3(p.normal) + ", " + c_int(p.d) + ", " + c_int(p.d_exponent) + ", " + c_u16(p.material) +
+         ", " + c_u16(p.object) + "}";
+}
+std::string c_item(const fc_triangle &t) {
+  return "{{" + c_u16(t.vertex[0]) + ", " + c_u16(t.vertex[1]) + ", " + c_u16(t.vertex[2]) + "}, " +
+         c_u16(t.material) + ", " + c_u16(t.object) + "}";
+}
+std::string c_item(const fc_light &l) {
+  return "{" + c_vec3(l.position) + ", " + c_rgb(l.intensity) + ", " + c_int(l.exponent) + ", " +
+         c_int(l.intensity_exponent) + ", " + c_int(l.inverse_square) + "}";
+}
+
+/* One table, and a blank line; nothing when it would be empty, which C does not allow. */
+template <typename T>
+std::string c_table(const char *type, const std::string &name, const char *fields,
+                    const std::vector<T> &table) {
+  if (table.empty()) return "";
+  std::string text =
+      "/* " + std::string(fields) + " */\nstatic const " + type + " " + name + "[] FC_ROM = {\n";
+  for (const T &item : table)
+    text += "  " + c_item(item) + ",\n";
+  return text + "};\n\n";
+}
+
+std::string c_shapes(const std::string &name, const CoreScene &core) {
+  if (core.shapes.empty()) return "";
+  std::string text = "static const fc_shapes " + name + "_shapes[] FC_ROM = {\n";
+  if (!core.spheres.empty()) text += "  FC_SPHERES(" + name + "_spheres),\n";
+  if (!core.planes.empty()) text += "  FC_PLANES(" + name + "_planes),\n";
+  if (!core.triangles.empty()) text += "  FC_TRIANGLES(" + name + "_vertices, " + name + "_triangles),\n";
+  return text + "};\n\n";
+}
+
+/* Pointer and count of a table that may be missing. */
+std::string c_reference(const std::string &field, const std::string &count, const std::string &table,
+                        bool empty) {
+  return "  ." + field + " = " + (empty ? "NULL" : table) + ",\n  ." + count + " = " +
+         (empty ? "0" : "FC_COUNT_OF(" + table + ")") + ",\n";
+}
+
+template <typename T>
+std::size_t bytes(const std::vector<T> &table) {
+  return table.size() * sizeof(T);
+}
+
+/* A file name inside a comment: printable, and no trigraph. */
+std::string printable(std::string text) {
+  for (char &c : text)
+    if (c < ' ' || c > '~' || c == '?' || c == '\\') c = '_';
+  return text;
+}
+
+} // namespace
+
+std::string c_name_of(const std::string &path) {
+  std::string name = std::filesystem::path(path).stem().string();
+  for (char &c : name)
+    if (!is_letter(c) && !is_digit(c)) c = '_';
+  return is_c_name(name) ? name : "scene_" + name;
+}
+
+bool is_c_name(const std::string &name) {
+  static const std::array<const char *, 37> keywords = {
+      "auto",   "break",    "case",   "char",   "const",    "continue", "default", "do",
+      "double", "else",     "enum",   "extern", "float",    "for",      "goto",    "if",
+      "inline", "int",      "long",   "main",   "register", "restrict", "return",  "short",
+      "signed", "sizeof",   "static", "struct", "switch",   "typedef",  "union",   "unsigned",
+      "void",   "volatile", "while",  "asm",    "NULL"};
+  if (name.empty() || !is_letter(name[0]) || name[0] == '_' || name.size() > 100) return false;
+  if (!std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); }))
+    return false;
+  if (name.rfind("fc_", 0) == 0 || name.rfind("FC_", 0) == 0) return false;
+  return std::find(keywords.begin(), keywords.end(), name) == keywords.end();
+}
+
+std::string bake(const CoreScene &core, std::size_t frame_memory_bytes, const std::string &name,
+                 const std::string &source) {
+  const fc_scene &scene = core.scene;
+  const fc_camera &camera = core.camera;
+  const std::size_t flash = bytes(core.spheres) + bytes(core.planes) + bytes(core.vertices) +
+                            bytes(core.triangles) + bytes(core.materials) + bytes(core.lights);
+  std::string text;
+  text += "/*\n * Baked from " + printable(std::filesystem::path(source).filename().string()) +
+          "; do not edit.\n *\n";
+  text += " * " + std::to_string(core.spheres.size()) + " spheres, " + std::to_string(core.planes.size()) +
+          " planes, " + std::to_string(core.triangles.size()) + " triangles with " +
+          std::to_string(core.vertices.size()) + " vertices, " + std::to_string(core.materials.size()) +
+          " materials, " + std::to_string(core.lights.size()) + " lights.\n";
+  text += " * " + std::to_string(flash) + " bytes of flash for these tables; a frame needs " +
+          std::to_string(frame_memory_bytes) + " bytes of memory.\n */\n";
+  text += "#include \"fixcast/fixcast.h\"\n\n";
+  text += "extern const fc_scene " + name + ";\nextern const fc_camera " + name + "_camera;\n\n";
+  text += c_table("fc_sphere", name + "_spheres", "centre, radius, material, object", core.spheres);
+  text += c_table("fc_plane", name + "_planes", "normal, d, d_exponent, material, object", core.planes);
+  text += c_table("fc_vec3", name + "_vertices", "x, y, z", core.vertices);
+  text += c_table("fc_triangle", name + "_triangles", "vertices, material, object", core.triangles);
+  text += c_table("fc_material", name + "_materials", "diffuse, Q1.15", core.materials);
+  text += c_table("fc_light", name + "_lights",
+                  "position, intensity, exponent, intensity_exponent, inverse_square", core.lights);
+  text += c_shapes(name, core);
+  text += "const fc_scene " + name + " FC_ROM = {\n";
+  text += c_reference("shapes", "shape_count", name + "_shapes", core.shapes.empty());
+  text += c_reference("materials", "material_count", name + "_materials", core.materials.empty());
+  text += c_reference("lights", "light_count", name + "_lights", core.lights.empty());
+  text += "  .exponent = " + c_int(scene.exponent) + ",\n  .far_exponent = " + c_int(scene.far_exponent) +
+          ",\n  .far_limit = " + c_int(scene.far_limit) + ",\n  .ambient = " + c_rgb(scene.ambient) +
+          ",\n  .background = " + c_rgb(scene.background) + ",\n};\n\n";
+  text += "const fc_camera " + name + "_camera FC_ROM = {\n  .eye = " + c_vec3(camera.eye) +
+          ",\n  .target = " + c_vec3(camera.target) + ",\n  .up = " + c_vec3(camera.up) +
+          ",\n  .exponent = " + c_int(camera.exponent) +
+          ",\n  .fov_rule = " + (camera.fov_rule == FC_FOV_EDGES ? "FC_FOV_EDGES" : "FC_FOV_CENTRES") +
+          ",\n  .tan_half_fov_numerator = " + c_uint(camera.tan_half_fov_numerator) +
+          ",\n  .tan_half_fov_denominator = " + c_uint(camera.tan_half_fov_denominator) + ",\n};\n";
+  return text;
+}
+
+} // namespace host

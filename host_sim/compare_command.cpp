@@ -1,0 +1,102 @@
+/* fixcast compare: one frame by the core, measured against the oracle. */
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "commands.h"
+#include "compare.h"
+#include "edge_distance.h"
+#include "frame_run.h"
+#include "progress.h"
+#include "report.h"
+#include "scene_options.h"
+
+namespace host {
+namespace {
+
+struct CompareOptions : SceneOptions {
+  bool verbose = false, check = false;
+};
+
+std::string json_text(const Comparison &c) {
+  return ", \"wrong_id\": " + std::to_string(c.wrong_id) +
+         ", \"wrong_shadow\": " + std::to_string(c.wrong_shadow) +
+         ", \"colour_rmse\": " + number_text(c.colour_rmse) +
+         ", \"colour_max\": " + number_text(c.colour_max) +
+         ", \"depth_rel_max\": " + number_text(c.depth_rel_max);
+}
+
+std::string summary(const Comparison &c) {
+  char text[160];
+  (void)std::snprintf(
+      text, sizeof text,
+      "%zu wrong ids, %zu wrong shadows; colour error %.3f RMSE, %.3f largest (8-bit levels); "
+      "depth error %.3g\n",
+      c.wrong_id, c.wrong_shadow, c.colour_rmse, c.colour_max, c.depth_rel_max);
+  return text;
+}
+
+std::string distance_text(double px) {
+  char text[40];
+  if (std::isinf(px))
+    (void)std::snprintf(text, sizeof text, "more than %.3g px", edge_distance_max_px);
+  else
+    (void)std::snprintf(text, sizeof text, "%s%.3g px", px <= edge_distance_min_px ? "at most " : "", px);
+  return text;
+}
+
+/* One line a wrong pixel. */
+void list_wrong_pixels(std::FILE *to, const Oracle &oracle, const Comparison &comparison,
+                       std::size_t lights) {
+  std::string text = std::to_string(comparison.escalated) +
+                     " pixels needed the oracle's 256-bit intervals, " + std::to_string(comparison.ties) +
+                     " are exact ties\n";
+  {
+    Progress progress("measuring wrong pixels", comparison.wrong.size());
+    std::size_t done = 0;
+    for (const WrongPixel &p : comparison.wrong) {
+      text += std::string(p.wrong_id ? "wrong id" : "wrong shadow") + " at " + std::to_string(p.x) + " " +
+              std::to_string(p.y) + ": core object " + std::to_string(p.core_object) + " lit " +
+              hex_text(p.core_lit) + ", oracle object " + std::to_string(p.oracle_object) + " lit " +
+              hex_text(p.oracle_lit) + ", true edge " + distance_text(edge_distance_px(oracle, p, lights)) +
+              " away\n";
+      progress.update(++done);
+    }
+  }
+  (void)std::fputs(text.c_str(), to);
+}
+
+int run_compare(const CompareOptions &options) {
+  const LoadedScene scene = load_scene(options);
+  const CoreFrame frame(scene.file, scene.core, scene.options, scene.width, scene.height);
+  const FrameCounts counts = count(render(frame, FC_RGB565_BE, scene.height));
+  const Picture rgb888 = render(frame, FC_RGB888, scene.height);
+  const Oracle oracle(scene.file, scene.width, scene.height);
+  const Comparison comparison = compare(scene.file, oracle, frame, rgb888);
+  const std::string text = options.json ? "{" + frame_json(scene, counts) + json_text(comparison) + "}\n"
+                                        : frame_summary(scene, counts) + summary(comparison);
+  (void)std::fputs(text.c_str(), stdout);
+  if (options.verbose) /* stdout stays one JSON object */
+    list_wrong_pixels(options.json ? stderr : stdout, oracle, comparison, scene.file.lights.size());
+  const bool good = comparison.wrong_id == 0 && comparison.wrong_shadow == 0 && comparison.colour_max <= 1;
+  return options.check && !good ? 1 : 0;
+}
+
+} // namespace
+
+void add_compare_command(CLI::App &app, Action &action) {
+  const auto options = std::make_shared<CompareOptions>();
+  CLI::App *command =
+      app.add_subcommand("compare", "Render a scene and count every error against the oracle");
+  add_scene_options(*command, *options);
+  add_offset_option(*command, *options);
+  command->add_flag("-v,--verbose", options->verbose,
+                    "list each wrong pixel and its distance from the true edge");
+  command->add_flag("--check", options->check,
+                    "exit with 1 unless ids and shadows are right and colours within 1");
+  add_json_option(*command, *options);
+  command->callback([&action, options] { action = [options] { return run_compare(*options); }; });
+}
+
+} // namespace host

@@ -1,0 +1,86 @@
+/* A whole frame from the core. */
+#include "frame_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <zlib.h>
+
+namespace host {
+namespace {
+
+/* The core knows no files; the camera is the one thing of which its error tells the line. */
+[[noreturn]] void fail(const SceneFile &file, int error) {
+  const bool camera =
+      error == FC_ERR_CAMERA_TARGET || error == FC_ERR_CAMERA_UP || error == FC_ERR_FIELD_OF_VIEW;
+  const std::string line = camera && file.camera.line > 0 ? ":" + std::to_string(file.camera.line) : "";
+  throw UserError(file.path + line + ": " + fc_error_text(error));
+}
+
+} // namespace
+
+CoreFrame::CoreFrame(const SceneFile &file, const CoreScene &core, const fc_options &options, int width,
+                     int height)
+    : core_(core) {
+  int error = FC_OK;
+  memory_bytes_ = fc_frame_memory(&core.scene, &error);
+  if (error < 0) fail(file, error);
+  memory_.resize(memory_bytes_ / sizeof(std::int64_t) + 1);
+  error = fc_frame_setup(&frame_, &core.scene, &core.camera, &options, static_cast<std::uint16_t>(width),
+                         static_cast<std::uint16_t>(height), memory_.data(), memory_bytes_);
+  if (error < 0) fail(file, error);
+}
+
+double CoreFrame::depth_z(std::uint16_t code) const {
+  int exponent = 0;
+  const double mantissa = fc_depth_z(&frame_, code, &exponent);
+  return static_cast<double>(std::ldexp(mantissa * world_unit(core_.scene), exponent));
+}
+
+Picture render(const CoreFrame &frame, fc_format format, int strip_rows) {
+  Picture p;
+  p.width = frame.get().width;
+  p.height = frame.get().height;
+  const std::size_t width = frame.get().width;
+  const std::size_t size = width * frame.get().height;
+  const std::size_t pitch = width * static_cast<std::size_t>(fc_format_bytes(format));
+  std::vector<std::uint16_t> primitive(size);
+  p.pixels.resize(pitch * frame.get().height);
+  p.depth.resize(size);
+  p.lit.resize(size);
+  for (int y = 0; y < p.height; y += strip_rows) {
+    const std::size_t first = static_cast<std::size_t>(y) * width;
+    fc_target target{};
+    target.pixels = p.pixels.data() + static_cast<std::size_t>(y) * pitch;
+    target.pitch_bytes = pitch;
+    target.format = static_cast<std::uint8_t>(format);
+    target.depth = p.depth.data() + first;
+    target.primitive = primitive.data() + first;
+    target.lit = p.lit.data() + first;
+    const int rows = std::min(strip_rows, p.height - y);
+    const int error = fc_render_rows(&frame.get(), static_cast<std::uint16_t>(y),
+                                     static_cast<std::uint16_t>(rows), &target);
+    if (error < 0) throw UserError(std::string("cannot render: ") + fc_error_text(error));
+  }
+  p.object.resize(size);
+  p.surface.resize(size);
+  for (std::size_t i = 0; i < size; i++) {
+    p.object[i] = fc_object(&frame.get(), primitive[i]);
+    p.surface[i] = primitive[i] != 0xffff;
+  }
+  return p;
+}
+
+FrameCounts count(const Picture &picture) {
+  FrameCounts counts;
+  counts.crc32 = static_cast<std::uint32_t>(
+      crc32_z(crc32_z(0, nullptr, 0), picture.pixels.data(), picture.pixels.size()));
+  for (std::size_t i = 0; i < picture.object.size(); i++) {
+    counts.pixels_by_id[picture.object[i]]++;
+    if (picture.surface[i] && picture.lit[i] == 0) counts.unlit_pixels++;
+  }
+  return counts;
+}
+
+} // namespace host

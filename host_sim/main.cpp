@@ -1,0 +1,64 @@
+/* The fixcast program: finds the command on the command line, runs it, turns errors into exit code 2. */
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "commands.h"
+#include "image.h"
+#include "scene_file.h"
+
+#ifndef FIXCAST_VERSION
+#define FIXCAST_VERSION "0.1.0"
+#endif
+
+namespace {
+
+/* Every failure is one line on stderr and exit code 2. */
+int fail(std::string what) {
+  for (char &c : what)
+    if (c == '\n') c = ' ';
+  (void)std::fprintf(stderr, "fixcast: %s\n", what.c_str());
+  return 2;
+}
+
+int run(int argc, char **argv) {
+  CLI::App app{"fixcast: an exact integer ray caster, simulated on the host.", "fixcast"};
+  app.set_version_flag("--version",
+                       std::string("fixcast " FIXCAST_VERSION " (images: ") + host::image_backend() + ")");
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+  app.footer(
+      "Exit code: 0 done, 1 a check failed, 2 bad input. 'fixcast COMMAND --help' lists a command's "
+      "options.");
+  host::Action action;
+  host::add_render_command(app, action);
+  host::add_compare_command(app, action);
+  host::add_pick_command(app, action);
+  host::add_bake_command(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError &error) {
+    if (error.get_exit_code() == 0) return app.exit(error); /* --help, --version */
+    return fail(std::string(error.what()) + "; see 'fixcast --help'");
+  }
+  const int code = action();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return fail("cannot write to standard output");
+  return code;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  try {
+    return run(argc, argv);
+  } catch (const host::UserError &error) {
+    return fail(error.what());
+  } catch (const std::bad_alloc &) {
+    return fail("out of memory; try a smaller --size");
+  } catch (const std::exception &error) {
+    return fail(std::string("internal error: ") + error.what());
+  }
+}

@@ -1,0 +1,664 @@
+/*
+ * Reads scenes in Haines' Neutral File Format (NFF), with the extensions that stand in "#fc:" lines.
+ *
+ * One entity per line, tokens split by blanks or tabs; '#' starts a comment that reaches to the end of the
+ * line, so readers that don't know the extensions skip them. Every complaint is one sentence of the form
+ * "FILE:LINE: what is wrong; what to do".
+ */
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "scene_file.h"
+
+namespace host {
+namespace {
+
+constexpr int max_lines = 1048576;
+constexpr std::size_t max_line_bytes = 4096;
+constexpr std::size_t max_file_bytes = std::size_t{256} << 20;
+constexpr int max_object = 65535;
+constexpr int max_vertices = 65535;
+constexpr std::size_t max_fraction_digits = 18; /* both halves are exact in a long double: one rounding */
+constexpr long double max_magnitude = 1e30L;
+constexpr long double min_magnitude = 1e-4000L; /* below this a long double starts to lose digits */
+constexpr long double max_intensity = 1e6L;
+constexpr long double max_tan_half_fov = 1000;
+constexpr long double parallel_tolerance = 1e-12L; /* sine of the angle between up and the view direction */
+
+[[noreturn]] void fail(const std::string &path, int line, const std::string &sentence)
+{
+  throw UserError(path + ":" + std::to_string(line) + ": " + sentence);
+}
+
+[[noreturn]] void fail(const std::string &path, const std::string &sentence)
+{
+  throw UserError(path + ": " + sentence);
+}
+
+/* A token as it may stand in a message: short, and in printable characters only. */
+std::string quoted(std::string_view token)
+{
+  constexpr std::size_t longest = 40;
+  std::string text = "'";
+  for (const char c : token.substr(0, longest)) {
+    text += c >= 0x20 && c < 0x7f ? c : '?';
+  }
+  return text + (token.size() > longest ? "...'" : "'");
+}
+
+std::string load(const std::string &path)
+{
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    fail(path, "this is a directory; name a scene file in it");
+  }
+  std::FILE *file = std::fopen(path.c_str(), "rb");
+  if (file == nullptr) {
+    fail(path, "cannot open: " + std::generic_category().message(errno) +
+         "; check the name and its permissions");
+  }
+  std::string text;
+  std::vector<char> chunk(1 << 16);
+  std::size_t count = 0;
+  while (text.size() <= max_file_bytes && (count = std::fread(chunk.data(), 1, chunk.size(), file)) > 0) {
+    text.append(chunk.data(), count);
+  }
+  const int error = std::ferror(file) != 0 ? errno : 0;
+  std::fclose(file);
+  if (error != 0) {
+    fail(path, "cannot read: " + std::generic_category().message(error) + "; check the file and its disk");
+  }
+  if (text.empty()) {
+    fail(path, 1, "the file is empty; a scene needs at least a v block");
+  }
+  if (text.size() > max_file_bytes) {
+    fail(path, "larger than 256 MiB; check that this is a scene, or split it");
+  }
+  return text;
+}
+
+/* A run over the bytes before anything is parsed, so that a file which is no scene at all is refused fast
+ * and by its real fault. Returns the lines without their ends. */
+std::vector<std::string_view> split_lines(const std::string &path, std::string_view text)
+{
+  if (text.substr(0, 3) == "\xef\xbb\xbf") { /* the byte-order mark that some editors put first */
+    text.remove_prefix(3);
+  }
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const int number = static_cast<int>(lines.size()) + 1;
+    if (number > max_lines) {
+      fail(path, number, "more than " + std::to_string(max_lines) + " lines; simplify or split the scene");
+    }
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!line.empty() && line.back() == '\r') {
+      line.remove_suffix(1);
+    }
+    for (std::size_t i = 0; i < line.size(); i++) {
+      const auto byte = static_cast<unsigned char>(line[i]);
+      if ((byte < 0x20 && byte != '\t') || byte == 0x7f) {
+        char message[100];
+        std::snprintf(message, sizeof message, "not a text file (byte 0x%02x in column %zu); "
+                      "save the scene as plain text", byte, i + 1);
+        fail(path, number, message);
+      }
+    }
+    if (line.size() > max_line_bytes) {
+      fail(path, number, "a line of " + std::to_string(line.size()) + " characters, at most " +
+           std::to_string(max_line_bytes) + " are allowed; put one entity on each line");
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+std::vector<std::string_view> split_tokens(std::string_view line)
+{
+  std::vector<std::string_view> tokens;
+  constexpr const char *blanks = " \t";
+  for (std::size_t begin = line.find_first_not_of(blanks); begin != std::string_view::npos;
+       begin = line.find_first_not_of(blanks, begin)) {
+    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
+    if (line[begin] == '#') {
+      break;
+    }
+    tokens.push_back(line.substr(begin, end - begin));
+    begin = end;
+  }
+  return tokens;
+}
+
+/* Splits the leading digits off `rest`. */
+std::string_view take_digits(std::string_view &rest)
+{
+  const std::size_t count = std::min(rest.find_first_not_of("0123456789"), rest.size());
+  const std::string_view digits = rest.substr(0, count);
+  rest.remove_prefix(count);
+  return digits;
+}
+
+bool all_zero(std::string_view digits)
+{
+  return digits.find_first_not_of('0') == std::string_view::npos;
+}
+
+class Reader {
+public:
+  explicit Reader(const std::string &path) : path_(path) {}
+
+  SceneFile read()
+  {
+    const std::string text = load(path_);
+    const std::vector<std::string_view> lines = split_lines(path_, text);
+    scene_.path = path_;
+    scene_.ambient.r = scene_.ambient.g = scene_.ambient.b = Number{"0.1", 0.1L};
+    for (const std::string_view line : lines) {
+      line_++;
+      read_line(line);
+    }
+    if (vertices_missing_ > 0) {
+      fail_truncated("the file ends");
+    }
+    check_camera();
+    return std::move(scene_);
+  }
+
+private:
+  using Tokens = std::vector<std::string_view>;
+
+  [[noreturn]] void fail_here(const std::string &sentence) const { fail(path_, line_, sentence); }
+
+  void read_line(std::string_view line)
+  {
+    const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
+    line.remove_prefix(first);
+    constexpr std::string_view mark = "#fc:";
+    if (line.substr(0, mark.size()) == mark) {
+      read_extension(split_tokens(line.substr(mark.size())));
+      return;
+    }
+    const Tokens tokens = split_tokens(line);
+    if (tokens.empty()) {
+      return;
+    }
+    if (vertices_missing_ > 0) {
+      read_vertex(tokens);
+    } else {
+      read_entity(tokens);
+    }
+  }
+
+  void read_entity(const Tokens &tokens)
+  {
+    const std::string_view keyword = tokens[0];
+    if (is_view_field(keyword)) {
+      if (!in_view_) {
+        fail_here(quoted(keyword) + " outside a v block; put it directly below the line v");
+      }
+      read_view_field(tokens);
+      return;
+    }
+    in_view_ = false;
+    if (keyword == "s") {
+      read_sphere(tokens);
+    } else if (keyword == "p" || keyword == "pp") {
+      read_polygon(tokens);
+    } else if (keyword == "f") {
+      read_material(tokens);
+    } else if (keyword == "l") {
+      read_light(tokens);
+    } else if (keyword == "b") {
+      expect(tokens, 3, "b R G B");
+      once(has_background_, "a second background b");
+      scene_.background = colour(tokens, 1, 1, "a background channel");
+    } else if (keyword == "v") {
+      expect(tokens, 0, "v alone and from, at, up and angle on lines of their own");
+      once(has_view_, "a second v block");
+      in_view_ = true;
+      scene_.camera.line = line_;
+    } else if (keyword == "c") {
+      fail_here("cones: not yet; remove the cone or tessellate it into polygons");
+    } else {
+      fail_here("unknown entity " + quoted(keyword) + "; use one of b v l f s p pp, or # for a comment");
+    }
+  }
+
+  void read_extension(const Tokens &tokens)
+  {
+    const std::string_view keyword = tokens.empty() ? std::string_view() : tokens[0];
+    if (keyword == "plane") {
+      if (vertices_missing_ > 0) {
+        fail_truncated("line " + std::to_string(line_) + " is a plane");
+      }
+      read_plane(tokens);
+    } else if (keyword == "object") {
+      read_object(tokens);
+    } else if (keyword == "tan_half_fov") {
+      expect(tokens, 1, "#fc: tan_half_fov T");
+      only_if(!scene_.camera.tan_half_fov, "a second #fc: tan_half_fov");
+      const Number tangent = number(tokens[1]);
+      if (tangent.value <= 0 || tangent.value > max_tan_half_fov) {
+        fail_here("tan_half_fov " + tangent.text + " is out of range; use a number above 0, at most 1000");
+      }
+      scene_.camera.tan_half_fov = tangent;
+    } else if (keyword == "far") {
+      expect(tokens, 1, "#fc: far DISTANCE");
+      only_if(!scene_.far, "a second #fc: far");
+      const Number distance = number(tokens[1]);
+      if (distance.value <= 0) {
+        fail_here("far " + distance.text + " is out of range; use a distance above 0");
+      }
+      scene_.far = distance;
+    } else if (keyword == "ambient") {
+      once(has_ambient_, "a second #fc: ambient");
+      if (tokens.size() == 2) {
+        const Number level = ranged(tokens[1], max_intensity, "an ambient level");
+        scene_.ambient.r = scene_.ambient.g = scene_.ambient.b = level;
+      } else {
+        expect(tokens, 3, "#fc: ambient A or #fc: ambient R G B");
+        scene_.ambient = colour(tokens, 1, max_intensity, "an ambient channel");
+      }
+    } else if (keyword == "falloff") {
+      once(has_falloff_, "a second #fc: falloff");
+      if (tokens.size() == 1 || (tokens.size() == 2 && tokens[1] == "inverse-square")) {
+        scene_.falloff = Falloff::inverse_square;
+      } else if (tokens.size() != 2 || tokens[1] != "none") {
+        fail_here("a falloff that is neither inverse-square nor none; write #fc: falloff inverse-square "
+                  "or #fc: falloff none");
+      }
+    } else {
+      fail_here("unknown extension " + quoted(keyword) + " after #fc:; use one of plane object tan_half_fov "
+                "far ambient falloff, or # alone for a comment");
+    }
+  }
+
+  static bool is_view_field(std::string_view keyword)
+  {
+    for (const char *const field : {"from", "at", "up", "angle", "hither", "resolution"}) {
+      if (keyword == field) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void read_view_field(const Tokens &tokens)
+  {
+    const std::string_view keyword = tokens[0];
+    if (keyword == "from") {
+      expect(tokens, 3, "from X Y Z");
+      once(has_from_, "a second from");
+      scene_.camera.from = vector(tokens, 1);
+    } else if (keyword == "at") {
+      expect(tokens, 3, "at X Y Z");
+      once(has_at_, "a second at");
+      scene_.camera.at = vector(tokens, 1);
+    } else if (keyword == "up") {
+      expect(tokens, 3, "up X Y Z");
+      once(has_up_, "a second up");
+      scene_.camera.up = vector(tokens, 1);
+    } else if (keyword == "angle") {
+      expect(tokens, 1, "angle DEGREES");
+      once(has_angle_, "a second angle");
+      scene_.camera.angle_degrees = number(tokens[1]);
+      const long double angle = scene_.camera.angle_degrees.value;
+      if (angle <= 0 || angle >= 180) {
+        fail_here("angle " + scene_.camera.angle_degrees.text +
+                  " is out of range; use degrees between 0 and 180");
+      }
+    } else if (keyword == "hither") {
+      expect(tokens, 1, "hither DISTANCE");
+      number(tokens[1]); /* a near plane is meaningless here: rays start at the eye */
+    } else {
+      expect(tokens, 2, "resolution WIDTH HEIGHT");
+      only_if(scene_.width == 0, "a second resolution");
+      scene_.width = integer(tokens[1], 1, 65535, "a width in pixels");
+      scene_.height = integer(tokens[2], 1, 65535, "a height in pixels");
+    }
+  }
+
+  void read_sphere(const Tokens &tokens)
+  {
+    expect(tokens, 4, "s X Y Z RADIUS");
+    Sphere sphere;
+    sphere.material = current_material();
+    sphere.object = next_object();
+    sphere.line = line_;
+    sphere.center = vector(tokens, 1);
+    sphere.radius = number(tokens[4]);
+    if (sphere.radius.value <= 0) {
+      fail_here("radius " + sphere.radius.text +
+                " is not above 0; give a positive radius or remove the sphere");
+    }
+    scene_.spheres.push_back(std::move(sphere));
+  }
+
+  void read_plane(const Tokens &tokens)
+  {
+    expect(tokens, 4, "#fc: plane NX NY NZ D");
+    Plane plane;
+    plane.material = current_material();
+    plane.object = next_object();
+    plane.line = line_;
+    plane.normal = vector(tokens, 1);
+    plane.d = number(tokens[4]);
+    if (plane.normal.x.value == 0 && plane.normal.y.value == 0 && plane.normal.z.value == 0) {
+      fail_here("the plane's normal is 0 0 0; give it a direction, such as 0 1 0");
+    }
+    scene_.planes.push_back(std::move(plane));
+  }
+
+  void read_polygon(const Tokens &tokens)
+  {
+    with_normals_ = tokens[0] == "pp";
+    expect(tokens, 1, with_normals_ ? "pp COUNT" : "p COUNT");
+    const int count = integer(tokens[1], 3, max_vertices, "a polygon's vertex count");
+    Polygon polygon;
+    polygon.material = current_material();
+    polygon.object = next_object();
+    polygon.line = line_;
+    polygon.vertices.reserve(static_cast<std::size_t>(count));
+    scene_.polygons.push_back(std::move(polygon));
+    vertices_missing_ = vertices_announced_ = count;
+  }
+
+  void read_vertex(const Tokens &tokens)
+  {
+    for (const char *const keyword : {"b", "v", "l", "f", "s", "p", "pp", "c"}) {
+      if (tokens[0] == keyword) {
+        fail_truncated("line " + std::to_string(line_) + " starts with " + quoted(keyword));
+      }
+    }
+    const std::size_t count = with_normals_ ? 6 : 3;
+    if (tokens.size() != count) {
+      fail_here("a vertex of " + std::to_string(tokens.size()) + " numbers; write " +
+                (with_normals_ ? "X Y Z NX NY NZ" : "X Y Z"));
+    }
+    Polygon &polygon = scene_.polygons.back();
+    polygon.vertices.push_back(vector(tokens, 0));
+    if (with_normals_) {
+      polygon.normals.push_back(vector(tokens, 3));
+    }
+    vertices_missing_--;
+  }
+
+  [[noreturn]] void fail_truncated(const std::string &instead) const
+  {
+    fail(path_, scene_.polygons.back().line, "polygon of " + std::to_string(vertices_announced_) +
+         " vertices with only " + std::to_string(vertices_announced_ - vertices_missing_) + " of them (" +
+         instead + "); add the missing vertices or correct the count");
+  }
+
+  void read_material(const Tokens &tokens)
+  {
+    expect(tokens, 8, "f R G B Kd Ks SHINE T INDEX");
+    Material material;
+    material.colour = colour(tokens, 1, 1, "a colour channel");
+    material.kd = ranged(tokens[4], 1, "Kd");
+    material.ks = ranged(tokens[5], max_magnitude, "Ks");
+    material.shine = ranged(tokens[6], max_magnitude, "shine");
+    material.transmittance = ranged(tokens[7], max_magnitude, "T");
+    material.index_of_refraction = ranged(tokens[8], max_magnitude, "the index of refraction");
+    material.line = line_;
+    scene_.materials.push_back(std::move(material));
+  }
+
+  void read_light(const Tokens &tokens)
+  {
+    Light light;
+    if (tokens.size() == 7) {
+      light.colour = colour(tokens, 4, max_intensity, "a light channel");
+    } else {
+      expect(tokens, 3, "l X Y Z or l X Y Z R G B");
+    }
+    light.position = vector(tokens, 1);
+    light.line = line_;
+    scene_.lights.push_back(std::move(light));
+  }
+
+  void read_object(const Tokens &tokens)
+  {
+    expect(tokens, 1, "#fc: object N or #fc: object auto");
+    fixed_object_ = tokens[1] == "auto" ? 0 : integer(tokens[1], 1, max_object, "an object id");
+  }
+
+  /* Counts the entity and tells its id; under "#fc: object N" entities are counted all the same. */
+  std::uint16_t next_object()
+  {
+    entities_++;
+    const int object = fixed_object_ != 0 ? fixed_object_ : entities_;
+    if (object > max_object) {
+      fail_here("this is entity " + std::to_string(entities_) + ", but ids end at 65535; "
+                "group entities with #fc: object N");
+    }
+    return static_cast<std::uint16_t>(object);
+  }
+
+  int current_material() const
+  {
+    if (scene_.materials.empty()) {
+      fail_here("an entity before the first material; put a line f R G B Kd Ks SHINE T INDEX above it");
+    }
+    return static_cast<int>(scene_.materials.size()) - 1;
+  }
+
+  /* Complains unless exactly `count` tokens follow the keyword. */
+  void expect(const Tokens &tokens, std::size_t count, const char *usage) const
+  {
+    if (tokens.size() != count + 1) {
+      fail_here(quoted(tokens[0]) + " is followed by " + std::to_string(tokens.size() - 1) +
+                (tokens.size() == 2 ? " value" : " values") + "; write " + usage);
+    }
+  }
+
+  /* For what a file may say only once. */
+  void only_if(bool first, const char *what) const
+  {
+    if (!first) {
+      fail_here(std::string(what) + "; keep only one");
+    }
+  }
+
+  void once(bool &seen, const char *what) const
+  {
+    only_if(!seen, what);
+    seen = true;
+  }
+
+  int integer(std::string_view token, int lowest, int highest, const char *what) const
+  {
+    std::string_view rest = token;
+    std::string_view digits = take_digits(rest);
+    while (digits.size() > 1 && digits[0] == '0') {
+      digits.remove_prefix(1);
+    }
+    const bool readable = rest.empty() && !digits.empty() && digits.size() <= 8;
+    const int value = readable ? std::atoi(std::string(digits).c_str()) : -1;
+    if (value < lowest || value > highest) {
+      fail_here(quoted(token) + " cannot be " + what + "; use a whole number from " + std::to_string(lowest) +
+                " to " + std::to_string(highest));
+    }
+    return value;
+  }
+
+  /* The text is kept but for spellings that only make work for its readers: no '+' in front, digits on both
+   * sides of a point, and every zero is "0". */
+  Number number(std::string_view token) const
+  {
+    std::string_view rest = token;
+    std::string text;
+    if (!rest.empty() && (rest[0] == '+' || rest[0] == '-')) {
+      text = rest[0] == '-' ? "-" : "";
+      rest.remove_prefix(1);
+    }
+    const std::string_view whole = take_digits(rest);
+    if (!rest.empty() && rest[0] == '/') {
+      return fraction(token, text, whole, rest.substr(1));
+    }
+    std::string_view decimals;
+    if (!rest.empty() && rest[0] == '.') {
+      rest.remove_prefix(1);
+      decimals = take_digits(rest);
+    }
+    bool valid = !whole.empty() || !decimals.empty();
+    std::string exponent;
+    if (!rest.empty() && (rest[0] == 'e' || rest[0] == 'E')) {
+      exponent = "e";
+      rest.remove_prefix(1);
+      if (!rest.empty() && (rest[0] == '+' || rest[0] == '-')) {
+        exponent += rest[0];
+        rest.remove_prefix(1);
+      }
+      const std::string_view digits = take_digits(rest);
+      exponent += digits;
+      valid = valid && !digits.empty();
+    }
+    if (!valid || !rest.empty()) {
+      fail_not_a_number(token);
+    }
+    if (all_zero(whole) && all_zero(decimals)) {
+      return Number{};
+    }
+    text += whole.empty() ? "0" : whole;
+    if (!decimals.empty()) {
+      text.append(".").append(decimals);
+    }
+    text += exponent;
+    const long double value = std::strtold(text.c_str(), nullptr); /* the program stays in the C locale */
+    if (std::fabs(value) > max_magnitude) {
+      fail_here(quoted(token) + " is beyond 1e30; write the scene in larger units");
+    }
+    if (std::fabs(value) < min_magnitude) {
+      fail_here(quoted(token) + " is nearer to 0 than 1e-4000; write 0");
+    }
+    return Number{text, value};
+  }
+
+  Number fraction(std::string_view token, const std::string &sign, std::string_view above,
+                  std::string_view below) const
+  {
+    std::string_view rest = below;
+    const std::string_view digits = take_digits(rest);
+    if (above.empty() || digits.empty() || !rest.empty()) {
+      fail_not_a_number(token);
+    }
+    if (above.size() > max_fraction_digits || digits.size() > max_fraction_digits) {
+      fail_here(quoted(token) + " has more than 18 digits above or below the line; write it as a decimal");
+    }
+    if (all_zero(digits)) {
+      fail_here(quoted(token) + " divides by zero, so it is not a finite number; give another denominator");
+    }
+    if (all_zero(above)) {
+      return Number{};
+    }
+    const std::string numerator = sign + std::string(above);
+    const std::string denominator(digits);
+    return Number{numerator + "/" + denominator,
+                  std::strtold(numerator.c_str(), nullptr) / std::strtold(denominator.c_str(), nullptr)};
+  }
+
+  [[noreturn]] void fail_not_a_number(std::string_view token) const
+  {
+    fail_here(quoted(token) +
+              " is not a finite number; write a decimal such as -1.5e3 or a fraction such as 1/2");
+  }
+
+  Number ranged(std::string_view token, long double highest, const char *what) const
+  {
+    const Number result = number(token);
+    if (result.value < 0 || result.value > highest) {
+      char range[60];
+      std::snprintf(range, sizeof range, "use a number from 0 to %Lg", highest);
+      fail_here(result.text + " is out of range for " + what + "; " + range);
+    }
+    return result;
+  }
+
+  Vector vector(const Tokens &tokens, std::size_t first) const
+  {
+    return Vector{number(tokens[first]), number(tokens[first + 1]), number(tokens[first + 2])};
+  }
+
+  Rgb colour(const Tokens &tokens, std::size_t first, long double highest, const char *what) const
+  {
+    return Rgb{ranged(tokens[first], highest, what), ranged(tokens[first + 1], highest, what),
+               ranged(tokens[first + 2], highest, what)};
+  }
+
+  void check_camera() const
+  {
+    const Camera &camera = scene_.camera;
+    if (!has_view_) {
+      fail_here("the file ends without a v block; "
+                "add the lines v, from X Y Z, at X Y Z, up X Y Z and angle DEGREES");
+    }
+    if (!has_from_ || !has_at_ || !has_up_) {
+      const std::string field = !has_from_ ? "from" : !has_at_ ? "at" : "up";
+      fail(path_, camera.line, "the v block has no " + field + "; add a line " + field + " X Y Z to it");
+    }
+    if (!has_angle_ && !camera.tan_half_fov) {
+      fail(path_, camera.line, "the v block has no angle; add a line angle DEGREES or #fc: tan_half_fov T");
+    }
+    const Direction forward = direction({camera.at.x.value - camera.from.x.value,
+                                         camera.at.y.value - camera.from.y.value,
+                                         camera.at.z.value - camera.from.z.value});
+    if (forward.length == 0) {
+      fail(path_, camera.line, "from and at are the same point; move one of them");
+    }
+    const Direction up = direction({camera.up.x.value, camera.up.y.value, camera.up.z.value});
+    if (up.length == 0) {
+      fail(path_, camera.line, "up is 0 0 0; give it a direction, such as 0 1 0");
+    }
+    const Direction right = {forward.y * up.z - forward.z * up.y, forward.z * up.x - forward.x * up.z,
+                             forward.x * up.y - forward.y * up.x};
+    if (std::hypot(right.x, right.y, right.z) <= parallel_tolerance * forward.length * up.length) {
+      fail(path_, camera.line, "up is parallel to the view direction; choose an up that leans away from it");
+    }
+  }
+
+  struct Direction {
+    long double x, y, z, length = 0;
+  };
+
+  /* Scaled so that the largest component is 1: no product of two components can underflow. */
+  static Direction direction(Direction v)
+  {
+    const long double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    if (largest > 0) {
+      v = {v.x / largest, v.y / largest, v.z / largest};
+      v.length = std::hypot(v.x, v.y, v.z);
+    }
+    return v;
+  }
+
+  const std::string &path_;
+  int line_ = 0;
+  SceneFile scene_;
+  int entities_ = 0;
+  int fixed_object_ = 0;     /* 0: ids count */
+  int vertices_missing_ = 0; /* of the polygon being read */
+  int vertices_announced_ = 0;
+  bool with_normals_ = false;
+  bool in_view_ = false;
+  bool has_view_ = false, has_from_ = false, has_at_ = false, has_up_ = false, has_angle_ = false;
+  bool has_background_ = false, has_ambient_ = false, has_falloff_ = false;
+};
+
+} // namespace
+
+SceneFile read_nff(const std::string &path)
+{
+  return Reader(path).read();
+}
+
+} // namespace host

@@ -1,0 +1,63 @@
+/* fixcast render: one frame by the core, as pictures and as counts. */
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "commands.h"
+#include "frame_run.h"
+#include "image.h"
+#include "report.h"
+#include "scene_options.h"
+
+namespace host {
+namespace {
+
+struct RenderOptions : SceneOptions {
+  std::string frame_path, depth_path;
+  int strip_rows = FC_SIZE_MAX;
+};
+
+int run_render(const RenderOptions &options) {
+  if (!options.frame_path.empty() && options.frame_path == options.depth_path)
+    throw UserError(options.frame_path + ": -o and --depth name the same file; choose two");
+  for (const std::string &path : {options.frame_path, options.depth_path})
+    if (!path.empty()) check_not_same_file(options.scene, path);
+
+  const LoadedScene scene = load_scene(options);
+  const CoreFrame frame(scene.file, scene.core, scene.options, scene.width, scene.height);
+  const Picture rgb565 = render(frame, FC_RGB565_BE, options.strip_rows);
+  const FrameCounts counts = count(rgb565);
+  std::string written;
+  if (!options.frame_path.empty()) {
+    const Picture rgb888 = render(frame, FC_RGB888, options.strip_rows);
+    written += "wrote " + write_image(options.frame_path, {scene.width, scene.height, rgb888.pixels}) + "\n";
+  }
+  if (!options.depth_path.empty())
+    written += "wrote " + write_depth(options.depth_path, {scene.width, scene.height, rgb565.depth}) + "\n";
+  const std::string text =
+      options.json ? "{" + frame_json(scene, counts) + "}\n" : frame_summary(scene, counts) + written;
+  (void)std::fputs(text.c_str(), stdout);
+  return 0;
+}
+
+} // namespace
+
+void add_render_command(CLI::App &app, Action &action) {
+  const auto options = std::make_shared<RenderOptions>();
+  CLI::App *command = app.add_subcommand("render", "Render a scene and report what is in the frame");
+  add_scene_options(*command, *options);
+  command->add_option("-o,--output", options->frame_path, "write the frame, 8 bits a channel")
+      ->type_name("FRAME.png");
+  command->add_option("--depth", options->depth_path, "write the 16-bit depth codes, nearer is brighter")
+      ->type_name("DEPTH.png");
+  add_offset_option(*command, *options);
+  command
+      ->add_option("--strip", options->strip_rows,
+                   "render in strips of so many rows; default: the whole frame")
+      ->type_name("ROWS")
+      ->check(CLI::Range(1, static_cast<int>(FC_SIZE_MAX)));
+  add_json_option(*command, *options);
+  command->callback([&action, options] { action = [options] { return run_render(*options); }; });
+}
+
+} // namespace host

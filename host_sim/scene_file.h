@@ -1,0 +1,118 @@
+/*
+ * A scene as its author wrote it: every number keeps its text, nothing is rounded.
+ *
+ * The reader (nff.cpp) fills it, the conversion (to_core.cpp) rounds it into the core's integers, and
+ * the oracle (oracle.cpp) takes it as it stands. Conventions: right-handed world, right = forward x up.
+ */
+#ifndef FIXCAST_HOST_SCENE_FILE_H
+#define FIXCAST_HOST_SCENE_FILE_H
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace host {
+
+/* A number as written: `text` is a finite decimal such as "-0.272166" or "1.11022e-16", or a fraction of
+ * two integers such as "1/2" (accepted wherever a number is). `value` is the nearest long double. */
+struct Number {
+  std::string text = "0";
+  long double value = 0;
+};
+
+struct Vector {
+  Number x, y, z;
+};
+
+struct Rgb {
+  Number r, g, b;
+};
+
+/* Diffuse reflectance is colour * kd, channel by channel. The other NFF fields are kept for later. */
+struct Material {
+  Rgb colour;
+  Number kd, ks, shine, transmittance, index_of_refraction;
+  int line = 0;
+};
+
+/* `object` is the id a pixel reports: 1 for the first entity of the file, then counting up, an entity being
+ * one s, p, pp or "#fc: plane" line; "#fc: object N" gives N to every entity up to the next such line.
+ * 0 is the background. */
+struct Sphere {
+  Vector center;
+  Number radius;
+  int material = 0;
+  std::uint16_t object = 0;
+  int line = 0;
+};
+
+/* Points with normal . p + d = 0 (the lectures' form). */
+struct Plane {
+  Vector normal;
+  Number d;
+  int material = 0;
+  std::uint16_t object = 0;
+  int line = 0;
+};
+
+/* A simple (perhaps concave) polygon of three or more vertices; normals is empty or one per vertex. */
+struct Polygon {
+  std::vector<Vector> vertices;
+  std::vector<Vector> normals;
+  int material = 0;
+  std::uint16_t object = 0;
+  int line = 0;
+};
+
+/* Without a colour, each of n lights has intensity 1/sqrt(n) (NFF's rule). */
+struct Light {
+  Vector position;
+  std::optional<Rgb> colour;
+  int line = 0;
+};
+
+/* The field of view spans the shorter side of the picture.
+ * angle: degrees, between the centres of the outer pixels (NFF).
+ * tan_half_fov: tangent of half the angle, between the outer edges of the outer pixels ("#fc: tan_half_fov");
+ * when present it wins over angle. */
+struct Camera {
+  Vector from, at, up;
+  Number angle_degrees;
+  std::optional<Number> tan_half_fov;
+  int line = 0;
+};
+
+enum class Falloff { none, inverse_square };
+
+struct SceneFile {
+  std::string path;
+  Rgb background;
+  Rgb ambient;          /* default 0.1 0.1 0.1 */
+  Falloff falloff = Falloff::none;
+  std::optional<Number> far; /* surfaces farther along the ray than this are background */
+  Camera camera;
+  std::vector<Material> materials;
+  std::vector<Sphere> spheres;
+  std::vector<Plane> planes;
+  std::vector<Polygon> polygons;
+  std::vector<Light> lights;
+  int width = 0, height = 0; /* the file's "resolution", 0 when absent */
+  /* --world-scale N/D: every length (positions, radii, d, far) is to be multiplied by this; with inverse-square
+   * falloff light intensities are multiplied by its square, so that the picture stays the same. */
+  std::int64_t scale_numerator = 1, scale_denominator = 1;
+};
+
+/* What a person did wrong, in one sentence with file and line. main() prints it and exits with 2. */
+class UserError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/* Reads Haines' Neutral File Format with the "#fc:" extensions. Throws UserError. */
+SceneFile read_nff(const std::string &path);
+
+} // namespace host
+
+#endif

@@ -1,0 +1,96 @@
+/* The command line that all commands share. */
+#include "scene_options.h"
+
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+namespace host {
+namespace {
+
+/* A plain decimal integer in 1..limit. */
+std::optional<int> positive(const std::string &text, int limit) {
+  long long value = 0;
+  for (char c : text) {
+    if (c < '0' || c > '9') return std::nullopt;
+    value = 10 * value + (c - '0');
+    if (value > limit) return std::nullopt;
+  }
+  if (value < 1) return std::nullopt;
+  return static_cast<int>(value);
+}
+
+void set_size(LoadedScene &scene, const std::string &text) {
+  if (text.empty()) {
+    const SceneFile &file = scene.file;
+    const bool stated =
+        file.width >= 1 && file.width <= FC_SIZE_MAX && file.height >= 1 && file.height <= FC_SIZE_MAX;
+    scene.width = stated ? file.width : 128;
+    scene.height = stated ? file.height : 128;
+    return;
+  }
+  const std::size_t x = text.find('x');
+  const std::optional<int> width = positive(text.substr(0, x), FC_SIZE_MAX);
+  const std::optional<int> height =
+      x == std::string::npos ? std::nullopt : positive(text.substr(x + 1), FC_SIZE_MAX);
+  if (!width || !height)
+    throw UserError("--size " + text +
+                    " is not a frame size; give WIDTHxHEIGHT, each 1 to 4096, such as 128x128");
+  scene.width = *width;
+  scene.height = *height;
+}
+
+void set_world_scale(SceneFile &file, const std::string &text) {
+  constexpr int limit = 1 << 30;
+  const std::size_t slash = text.find('/');
+  const std::optional<int> numerator = positive(text.substr(0, slash), limit);
+  const std::optional<int> denominator =
+      slash == std::string::npos ? std::optional<int>(1) : positive(text.substr(slash + 1), limit);
+  if (!numerator || !denominator)
+    throw UserError("--world-scale " + text + " is not a scale; give N or N/D, each 1 to 2^30, such as 1/64");
+  file.scale_numerator = *numerator;
+  file.scale_denominator = *denominator;
+}
+
+} // namespace
+
+void add_scene_options(CLI::App &command, SceneOptions &options) {
+  command.add_option("scene", options.scene, "scene file (NFF)")->required()->type_name("SCENE");
+  command.add_option("--size", options.size, "frame size; default: the scene's resolution, or 128x128")
+      ->type_name("WxH");
+  command.add_option("--world-scale", options.world_scale, "multiply every length of the scene by N/D")
+      ->type_name("N/D");
+}
+
+void add_offset_option(CLI::App &command, SceneOptions &options) {
+  command
+      .add_option(
+          "--offset", options.offset,
+          "how shadow rays leave a surface: exact (default), residual, none or epsilon=N in world units")
+      ->type_name("RULE");
+}
+
+void add_json_option(CLI::App &command, SceneOptions &options) {
+  command.add_flag("--json", options.json, "print one JSON object");
+}
+
+LoadedScene load_scene(const SceneOptions &options) {
+  LoadedScene scene;
+  /* What is typed wrong is said before a large file is read, except for the size the file may state. */
+  set_world_scale(scene.file, options.world_scale);
+  if (!options.size.empty()) set_size(scene, options.size);
+  scene.file = read_nff(options.scene);
+  set_world_scale(scene.file, options.world_scale);
+  set_size(scene, options.size);
+  scene.core = to_core(scene.file);
+  scene.options = to_options(options.offset, scene.core.scene);
+  return scene;
+}
+
+void check_not_same_file(const std::string &input, const std::string &output) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(input, output, ignored))
+    throw UserError(output + ": cannot write: this is the scene itself; choose another name");
+}
+
+} // namespace host

@@ -1,0 +1,43 @@
+/*
+ * The command line that all commands share: which scene, at which size, at which world scale, by which rule.
+ */
+#ifndef FIXCAST_HOST_SCENE_OPTIONS_H
+#define FIXCAST_HOST_SCENE_OPTIONS_H
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "scene_file.h"
+#include "to_core.h"
+
+namespace host {
+
+/* As typed. */
+struct SceneOptions {
+  std::string scene, size, world_scale = "1", offset = "exact";
+  bool json = false;
+};
+
+/* A scene, ready for a frame to be set up. */
+struct LoadedScene {
+  SceneFile file;
+  CoreScene core;
+  fc_options options{};
+  int width = 0, height = 0;
+};
+
+/* SCENE, --size and --world-scale. */
+void add_scene_options(CLI::App &command, SceneOptions &options);
+void add_offset_option(CLI::App &command, SceneOptions &options);
+void add_json_option(CLI::App &command, SceneOptions &options);
+
+/* Reads and converts the scene. Throws UserError. */
+LoadedScene load_scene(const SceneOptions &options);
+
+/* Throws UserError if writing `output` would replace the file `input`. */
+void check_not_same_file(const std::string &input, const std::string &output);
+
+} // namespace host
+
+#endif

@@ -1,0 +1,225 @@
+#!/usr/bin/env python3
+"""Writes the scenes of this directory: python3 generate.py [DIRECTORY], the same bytes on every run.
+
+Coordinates and colours come from + - * / and square roots only, which IEEE 754 rounds the same everywhere,
+and no number has more than 12 decimals.
+"""
+import math
+import os
+import sys
+from fractions import Fraction
+
+
+def text(number):
+    """12 decimals without trailing zeros; never "-0"."""
+    digits = f"{float(number):.12f}".rstrip("0").rstrip(".")
+    return "0" if digits == "-0" else digits
+
+
+def join(numbers):
+    return " ".join(text(number) for number in numbers)
+
+
+def rgb(*levels):
+    """8-bit levels as NFF's 0..1, ten decimals."""
+    return " ".join(f"{level / 255:.10f}".rstrip("0").rstrip(".") for level in levels)
+
+
+def header(*lines):
+    return [f"# {line}" for line in lines]
+
+
+def camera(origin, target, up, tan_half_fov, size):
+    """The angle is for readers that don't know tan_half_fov; 8 decimals hide what atan rounds differently."""
+    angle = 2 * math.degrees(math.atan(Fraction(tan_half_fov)))
+    return ["v", f"from {origin}", f"at {target}", f"up {up}", f"angle {angle:.8f}", "hither 0.01",
+            f"resolution {size} {size}", f"#fc: tan_half_fov {tan_half_fov}"]
+
+
+def matte(colour):
+    return f"f {colour} 1 0 0 0 1"
+
+
+def sub(a, b):
+    return tuple(x - y for x, y in zip(a, b))
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def unit(a):
+    length = math.sqrt(dot(a, a))
+    return tuple(x / length for x in a)
+
+
+# The bench scene: three spheres on a plane, a point light, a hard shadow. -z points into the picture.
+SPHERES = [((0, 1, -6), 1, (224, 64, 48)),
+           ((-1.75, 0.75, -4.5), 0.75, (48, 192, 80)),
+           ((1.25, 0.5, -3), 0.5, (64, 96, 224))]
+GROUND = (192, 192, 176)
+SKY = "b " + rgb(96, 144, 208)
+LIGHT = (-3, 5, -1)
+LEVEL_CAMERA = camera("0 1.5 1", "0 1.5 0", "0 1 0", "1/2", 128)
+
+
+def bench_spheres():
+    lines = []
+    for center, radius, colour in SPHERES:
+        lines += [matte(rgb(*colour)), f"s {join(center)} {text(radius)}"]
+    return lines + [matte(rgb(*GROUND)), "#fc: plane 0 1 0 0"]
+
+
+def bench_rest():
+    return [SKY, "#fc: ambient 0.125", "#fc: falloff none", "#fc: far 100",
+            f"l {join(LIGHT)} 0.875 0.875 0.875"] + bench_spheres()
+
+
+def s1():
+    lines = header("S1: three spheres on a plane under one point light with hard shadows.")
+    return lines + LEVEL_CAMERA + bench_rest()
+
+
+def s1r():
+    lines = header("S1r: S1 from a place without round numbers, the head tilted: no level horizon.")
+    return lines + camera("0.75 2 1.5", "0 0.75 -4", "0.17 0.98 0", "0.466", 128) + bench_rest()
+
+
+def icosphere():
+    """An icosahedron's faces, outside anticlockwise, divided twice: 320 triangles of the unit sphere."""
+    golden = (1 + math.sqrt(5)) / 2
+    corners = []
+    for a in (-1, 1):
+        for b in (-golden, golden):
+            corners += [(0, a, b), (a, b, 0), (b, 0, a)]
+    corners.sort()
+    faces = []
+    for i in range(12):
+        for j in range(i + 1, 12):
+            for k in range(j + 1, 12):
+                a, b, c = corners[i], corners[j], corners[k]
+                if all(dot(sub(p, q), sub(p, q)) < 5 for p, q in ((a, b), (b, c), (c, a))):
+                    outward = dot(cross(sub(b, a), sub(c, a)), a) > 0
+                    faces.append(tuple(unit(p) for p in ((a, b, c) if outward else (a, c, b))))
+    for _ in range(2):
+        divided = []
+        for a, b, c in faces:
+            # a + b is b + a to the last bit: both faces of an edge get the same point
+            ab, bc, ca = (unit(tuple(x + y for x, y in zip(p, q))) for p, q in ((a, b), (b, c), (c, a)))
+            divided += [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
+        faces = divided
+    return faces
+
+
+def lit_face(face, colour):
+    """A triangle in the colour that S1's light gives its centroid."""
+    a, b, c = face
+    normal = unit(cross(sub(b, a), sub(c, a)))
+    centroid = tuple(sum(axis) / 3 for axis in zip(a, b, c))
+    shade = 0.125 + 0.875 * max(0.0, dot(normal, unit(sub(LIGHT, centroid))))
+    return [matte(rgb(*(min(255.0, level * shade) for level in colour))), "p 3"] + [join(p) for p in face]
+
+
+def s2():
+    lines = header("S2: S1's picture as 1016 triangles: three icospheres of 320 and a ground of 56.",
+                   "The colours are final (Lambert at each face's centroid, no shadow), so the ambient light",
+                   "is 1 and there is no lamp.") + LEVEL_CAMERA + [SKY, "#fc: ambient 1"]
+    for index, (center, radius, colour) in enumerate(SPHERES):
+        lines.append(f"#fc: object {index + 1}")
+        for face in icosphere():
+            placed = tuple(tuple(m + radius * x for m, x in zip(center, p)) for p in face)
+            lines += lit_face(placed, colour)
+    lines.append("#fc: object 4")
+    rows = [[((depth + 1) * 0.75 * x, 0.0, -float(depth)) for x in (-1, -0.5, 0, 0.5, 1)]
+            for depth in (1, 2, 4, 8, 16, 32, 64, 99)]
+    for near, far in zip(rows, rows[1:]):
+        for i in range(4):
+            lines += lit_face((near[i], near[i + 1], far[i + 1]), GROUND)
+            lines += lit_face((near[i], far[i + 1], far[i]), GROUND)
+    return lines
+
+
+def quad(*corners):
+    return ["p 4"] + [join(corner) for corner in corners]
+
+
+def standing_box(x, z, half, height, cosine, sine):
+    """Four sides and a lid around (x, z), turned about the vertical; the bottom would lie in the floor."""
+    foot = [(x + half * (cosine * u + sine * v), z + half * (cosine * v - sine * u))
+            for u, v in ((-1, 1), (1, 1), (1, -1), (-1, -1))]
+    lines = []
+    for (ax, az), (bx, bz) in zip(foot, foot[1:] + foot[:1]):
+        lines += quad((ax, 0, az), (bx, 0, bz), (bx, height, bz), (ax, height, az))
+    return lines + quad(*((fx, height, fz) for fx, fz in foot))
+
+
+def box():
+    white, red, green = matte("0.78 0.76 0.7"), matte("0.75 0.16 0.12"), matte("0.2 0.6 0.18")
+    lines = header("A room open to the front with two boxes in it, after the one at Cornell: red wall left,",
+                   "green wall right, a lamp under the ceiling whose light falls off with the square of the",
+                   "distance. Objects: 1 floor, 2 ceiling, 3 back, 4 left, 5 right, 6 tall box, 7 short box,",
+                   "8 lamp shade.")
+    lines += camera("0 1 2.5", "0 1 0", "0 1 0", "0.385", 240)
+    lines += ["b 0.02 0.02 0.03", "#fc: ambient 0.24", "#fc: falloff inverse-square",
+              "l 0 1.88 -0.8 1.7 1.6 1.4"]
+    lines += [white] + quad((-1, 0, 0), (1, 0, 0), (1, 0, -2.2), (-1, 0, -2.2))
+    lines += quad((-1, 2, -2.2), (1, 2, -2.2), (1, 2, 0), (-1, 2, 0))
+    lines += quad((-1, 0, -2.2), (1, 0, -2.2), (1, 2, -2.2), (-1, 2, -2.2))
+    lines += [red] + quad((-1, 0, 0), (-1, 0, -2.2), (-1, 2, -2.2), (-1, 2, 0))
+    lines += [green] + quad((1, 0, -2.2), (1, 0, 0), (1, 2, 0), (1, 2, -2.2))
+    lines += [white, "#fc: object 6"] + standing_box(-0.36, -1.55, 0.3, 1.2, 24 / 25, 7 / 25)
+    lines += ["#fc: object 7"] + standing_box(0.4, -1.05, 0.3, 0.6, 12 / 13, -5 / 13)
+    lines += ["#fc: object 8", matte("1 1 0.9")]
+    return lines + quad((-0.3, 1.98, -1.1), (0.3, 1.98, -1.1), (0.3, 1.98, -0.5), (-0.3, 1.98, -0.5))
+
+
+# Nine unit vectors about the axis (0, 1, 0): one along it, four 37 degrees off it, four 19 degrees below its
+# equator. Fractions, so that the spheres touch as exactly as 12 decimals can say.
+CHILDREN = [(Fraction(0), Fraction(1), Fraction(0))]
+CHILDREN += [(Fraction(x, 5), Fraction(4, 5), Fraction(z, 5)) for x, z in ((3, 0), (0, 3), (-3, 0), (0, -3))]
+CHILDREN += [(Fraction(x, 3), Fraction(-1, 3), Fraction(z, 3)) for x in (2, -2) for z in (2, -2)]
+
+
+def mirrored(vector, axis):
+    """The mirror image that takes (0, 1, 0) to the unit vector `axis`."""
+    mirror = sub((0, 1, 0), axis)
+    square = dot(mirror, mirror)
+    factor = 2 * dot(mirror, vector) / square if square else 0
+    return tuple(x - factor * m for x, m in zip(vector, mirror))
+
+
+def flake():
+    colours = [matte("0.95 0.88 0.72"), matte("0.9 0.45 0.2"), matte("0.3 0.62 0.8")]
+    lines = header("A flake of 91 spheres under two coloured lights: each sphere carries nine of a third of",
+                   "its radius that touch it, at (0 1 0), at (3 4 0)/5 and its quarter turns about (0 1 0),",
+                   "and at (2 -1 2)/3 and its quarter turns. A child in direction d carries its own at the",
+                   "mirror images of these; the mirror is the one that takes (0 1 0) to d.")
+    lines += camera("1.9 2.1 4.4", "0 1.15 0", "0 1 0", "0.35", 240)
+    lines += ["b 0.16 0.22 0.36", "#fc: ambient 0.12", "l 6 8 4 0.9 0.76 0.56", "l -7 4 5 0.22 0.35 0.6"]
+    generation = [((Fraction(0), Fraction(11, 10), Fraction(0)), Fraction(4, 5), CHILDREN)]
+    for colour in colours:
+        lines.append(colour)
+        children = []
+        for center, radius, directions in generation:
+            lines.append(f"s {join(center)} {text(radius)}")
+            for d in directions:
+                place = tuple(c + Fraction(4, 3) * radius * x for c, x in zip(center, d))
+                children.append((place, radius / 3, [mirrored(child, d) for child in CHILDREN]))
+        generation = children
+    return lines + [matte("0.55 0.55 0.5"), "#fc: plane 0 1 0 0"]
+
+
+def main():
+    directory = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
+    for scene in (s1, s1r, s2, box, flake):
+        path = os.path.join(directory, scene.__name__ + ".nff")
+        with open(path, "w", encoding="ascii", newline="\n") as file:
+            file.write("\n".join(scene()) + "\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,375 @@
+/* From the scene as written to the core's integers. */
+#include "to_core.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "triangulate.h"
+
+namespace host {
+namespace {
+
+using Triple = std::array<long double, 3>;
+
+[[noreturn]] void fail(const SceneFile &file, int line, const std::string &what) {
+  throw UserError(file.path + (line > 0 ? ":" + std::to_string(line) : std::string()) + ": " + what);
+}
+
+/* Smallest e for which magnitude / 2^e, rounded, still fits a coordinate. */
+int finest_exponent(long double magnitude) {
+  int e = 0;
+  (void)std::frexp(magnitude, &e);
+  e -= 30;
+  if (std::round(std::ldexp(magnitude, -e)) > static_cast<long double>(FC_COORDINATE_MAX)) ++e;
+  return e;
+}
+
+/* value / 2^e, rounded to nearest, halves away from zero; e comes from finest_exponent or is coarser. */
+std::int32_t on_grid(long double value, int e) {
+  return static_cast<std::int32_t>(std::round(std::ldexp(value, -e)));
+}
+
+fc_vec3 on_grid(const Triple &v, int e) {
+  return {on_grid(v[0], e), on_grid(v[1], e), on_grid(v[2], e)};
+}
+
+long double largest(std::initializer_list<Triple> vectors) {
+  long double m = 0;
+  for (const Triple &v : vectors)
+    for (long double c : v)
+      m = std::max(m, std::fabs(c));
+  return m;
+}
+
+/* The exponent, relative to a grid of 2^unit, of the finest grid in lowest..highest that holds all the vectors,
+ * or nothing if none does. 0 wherever that is exact: finer would only make the tables harder to read. */
+std::optional<int> own_exponent(std::initializer_list<Triple> vectors, int unit, int lowest, int highest) {
+  const long double m = largest(vectors);
+  if (m == 0) return 0;
+  const int e = std::max(finest_exponent(m) - unit, lowest);
+  if (e > highest) return std::nullopt;
+  if (e > 0) return e;
+  for (const Triple &v : vectors)
+    for (long double c : v)
+      if (std::ldexp(c, -unit) != std::round(std::ldexp(c, -unit))) return e;
+  return 0;
+}
+
+Triple values(const Vector &v) {
+  return {v.x.value, v.y.value, v.z.value};
+}
+Triple values(const Rgb &c) {
+  return {c.r.value, c.g.value, c.b.value};
+}
+
+class Converter {
+public:
+  explicit Converter(const SceneFile &file) : file_(file) {}
+
+  CoreScene run() {
+    choose_unit();
+    for (const Material &m : file_.materials)
+      material_index_.push_back(add_material(m));
+    for (const Sphere &s : file_.spheres)
+      add(s);
+    for (const Plane &p : file_.planes)
+      add(p);
+    for (const Polygon &p : file_.polygons)
+      add(p);
+    for (const Light &l : file_.lights)
+      add(l);
+    finish_scene();
+    set_camera();
+    return std::move(out_);
+  }
+
+private:
+  long double scaled(const Number &n) const {
+    return n.value * static_cast<long double>(file_.scale_numerator) /
+           static_cast<long double>(file_.scale_denominator);
+  }
+  Triple scaled(const Vector &v) const {
+    return {scaled(v.x), scaled(v.y), scaled(v.z)};
+  }
+
+  /* One world coordinate is 2^unit_ world units. */
+  void choose_unit() {
+    long double m = 0;
+    for (const Sphere &s : file_.spheres)
+      m = std::max(m, largest({scaled(s.center), {scaled(s.radius), 0, 0}}));
+    for (const Polygon &p : file_.polygons)
+      for (const Vector &v : p.vertices)
+        m = std::max(m, largest({scaled(v)}));
+    if (m == 0) { /* no finite shape: what the camera and the planes span */
+      m = largest({scaled(file_.camera.from), scaled(file_.camera.at)});
+      for (const Plane &p : file_.planes) {
+        const Triple n = values(p.normal);
+        const long double length = std::hypot(std::hypot(n[0], n[1]), n[2]);
+        if (length > 0) m = std::max(m, std::fabs(scaled(p.d)) / length);
+      }
+    }
+    unit_ = m > 0 ? finest_exponent(m) : -16;
+    if (unit_ + 16 < -60 || unit_ + 16 > 60)
+      fail(file_, 0,
+           "the scene is too large or too small; bring its largest coordinate between 1e-9 and 1e21");
+    out_.scene.exponent = static_cast<std::int8_t>(unit_ + 16);
+  }
+
+  fc_rgb q15(const Triple &c, long double limit, int line, const char *what) const {
+    std::array<std::uint16_t, 3> q{};
+    for (std::size_t i = 0; i < 3; i++) {
+      const long double v = std::round(std::ldexp(c[i], 15));
+      if (!(v >= 0 && v <= limit))
+        fail(file_, line, std::string(what) + " is outside 0.." + (limit > 32768 ? "1.99" : "1"));
+      q[i] = static_cast<std::uint16_t>(v);
+    }
+    return {q[0], q[1], q[2]};
+  }
+
+  std::uint16_t add_material(const Material &m) {
+    Triple c = values(m.colour);
+    for (long double &v : c)
+      v *= m.kd.value;
+    const fc_rgb q = q15(c, 32768, m.line, "the material's colour times Kd");
+    const auto found = material_of_.find({q.r, q.g, q.b});
+    if (found != material_of_.end()) return found->second;
+    if (out_.materials.size() >= 0xffff)
+      fail(file_, m.line, "more than 65535 different materials; merge some");
+    const auto index = static_cast<std::uint16_t>(out_.materials.size());
+    out_.materials.push_back({q});
+    material_of_[{q.r, q.g, q.b}] = index;
+    return index;
+  }
+
+  std::uint16_t material(int index) const {
+    return material_index_.at(static_cast<std::size_t>(index));
+  }
+
+  void reserve_primitives(std::size_t more, int line) {
+    primitives_ += more;
+    if (primitives_ > FC_PRIMITIVES_MAX)
+      fail(file_, line, "this makes more than 65535 primitives; simplify the scene or split it");
+  }
+
+  void add(const Sphere &s) {
+    reserve_primitives(1, s.line);
+    /* A radius below half a unit would vanish, which the core refuses: the smallest sphere stands for it. */
+    const std::int32_t radius = std::max<std::int32_t>(1, on_grid(scaled(s.radius), unit_));
+    out_.spheres.push_back({on_grid(scaled(s.center), unit_), radius, material(s.material), s.object});
+  }
+
+  /* A normal may have any length, so it takes the power of two that leaves d most bits: 30 bits for the normal,
+   * fewer only if d would need an exponent beyond 32. */
+  void add(const Plane &p) {
+    reserve_primitives(1, p.line);
+    const Triple n = values(p.normal);
+    const long double d = scaled(p.d);
+    if (largest({n}) == 0) fail(file_, p.line, "the plane's normal is zero");
+    int e = finest_exponent(largest({n}));
+    int d_exponent = d == 0 ? 0 : std::max(0, finest_exponent(std::fabs(d)) - e - unit_);
+    if (d_exponent > 32) {
+      const int lost = d_exponent - 32;
+      e += lost;
+      d_exponent = 32;
+      bool exact = true;
+      for (long double c : n)
+        exact = exact && std::ldexp(c, -e) == std::round(std::ldexp(c, -e));
+      if (!exact && lost > 6) fail(file_, p.line, "the plane is too far away for the size of the scene");
+    }
+    fc_vec3 q = on_grid(n, e);
+    std::int32_t q_d = on_grid(d, e + unit_ + d_exponent);
+    while (q.x % 2 == 0 && q.y % 2 == 0 && q.z % 2 == 0 && (d_exponent > 0 || q_d % 2 == 0)) {
+      q = {q.x / 2, q.y / 2, q.z / 2};
+      if (d_exponent > 0)
+        d_exponent--;
+      else
+        q_d /= 2;
+    }
+    if (q_d == 0) d_exponent = 0;
+    out_.planes.push_back({q, q_d, static_cast<std::int8_t>(d_exponent), material(p.material), p.object});
+  }
+
+  std::uint16_t vertex(const Vector &v, int line) {
+    const fc_vec3 q = on_grid(scaled(v), unit_);
+    const auto found = vertex_of_.find({q.x, q.y, q.z});
+    if (found != vertex_of_.end()) return found->second;
+    if (out_.vertices.size() >= 0xffff)
+      fail(file_, line, "this makes more than 65535 vertices; simplify the mesh or split the scene");
+    const auto index = static_cast<std::uint16_t>(out_.vertices.size());
+    out_.vertices.push_back(q);
+    vertex_of_[{q.x, q.y, q.z}] = index;
+    return index;
+  }
+
+  void add(const Polygon &p) {
+    if (p.vertices.size() > FC_PRIMITIVES_MAX) reserve_primitives(p.vertices.size(), p.line);
+    const std::vector<std::array<int, 3>> triangles = triangulate(p);
+    reserve_primitives(triangles.size(), p.line);
+    for (const std::array<int, 3> &t : triangles) {
+      fc_triangle triangle{};
+      for (std::size_t i = 0; i < 3; i++)
+        triangle.vertex[i] = vertex(p.vertices.at(static_cast<std::size_t>(t[i])), p.line);
+      triangle.material = material(p.material);
+      triangle.object = p.object;
+      out_.triangles.push_back(triangle);
+    }
+  }
+
+  void add(const Light &l) {
+    if (out_.lights.size() >= 0xffff) fail(file_, l.line, "more than 65535 lights; remove some");
+    fc_light light{};
+    const Triple position = scaled(l.position);
+    const std::optional<int> exponent = own_exponent({position}, unit_, -31, 32);
+    if (!exponent)
+      fail(file_, l.line, "the light is too far away for the size of the scene; bring it nearer");
+    light.exponent = static_cast<std::int8_t>(*exponent);
+    light.position = on_grid(position, unit_ + *exponent);
+
+    const long double n = static_cast<long double>(file_.lights.size());
+    Triple c = l.colour ? values(*l.colour) : Triple{1 / std::sqrt(n), 1 / std::sqrt(n), 1 / std::sqrt(n)};
+    if (file_.falloff == Falloff::inverse_square) {
+      light.inverse_square = 1;
+      const long double scale =
+          static_cast<long double>(file_.scale_numerator) / static_cast<long double>(file_.scale_denominator);
+      for (long double &v : c)
+        v *= scale * scale;
+    }
+    /* The largest channel gets all 16 bits: 1.0 to 1.99 times a power of two. */
+    int e = 0;
+    const long double m = largest({c});
+    if (m > 0) {
+      (void)std::frexp(m, &e);
+      e -= 1;
+      if (std::round(std::ldexp(m, 15 - e)) > 65535) e++;
+      e = std::max(e, -40);
+      if (e > 40) fail(file_, l.line, "the light is brighter than 2^41");
+      for (long double &v : c)
+        v = std::ldexp(v, -e);
+    }
+    light.intensity = q15(c, 65535, l.line, "the light's colour");
+    light.intensity_exponent = static_cast<std::int8_t>(e);
+    out_.lights.push_back(light);
+  }
+
+  template <typename T>
+  void add_table(const fc_kind *kind, const std::vector<T> &table) {
+    if (table.empty()) return;
+    out_.shapes.push_back({kind, table.data(), nullptr, static_cast<std::uint16_t>(table.size()), 0});
+  }
+
+  void finish_scene() {
+    add_table(&fc_kind_sphere, out_.spheres);
+    add_table(&fc_kind_plane, out_.planes);
+    add_table(&fc_kind_triangle, out_.triangles);
+    if (!out_.triangles.empty()) {
+      out_.shapes.back().vertices = out_.vertices.data();
+      out_.shapes.back().vertex_count = static_cast<std::uint16_t>(out_.vertices.size());
+    }
+    fc_scene &scene = out_.scene;
+    scene.shapes = out_.shapes.data();
+    scene.shape_count = static_cast<std::uint16_t>(out_.shapes.size());
+    scene.materials = out_.materials.data();
+    scene.material_count = static_cast<std::uint16_t>(out_.materials.size());
+    scene.lights = out_.lights.data();
+    scene.light_count = static_cast<std::uint16_t>(out_.lights.size());
+    scene.ambient = q15(values(file_.ambient), 65535, 0, "the ambient light");
+    scene.background = q15(values(file_.background), 65535, 0, "the background colour");
+    if (file_.far) {
+      const long double limit = scaled(*file_.far);
+      const std::optional<int> exponent = own_exponent({{limit, 0, 0}}, unit_, -31, 32);
+      if (!exponent) fail(file_, 0, "the far limit is too large for the size of the scene; leave it out");
+      scene.far_exponent = static_cast<std::int8_t>(*exponent);
+      scene.far_limit =
+          std::max<std::int32_t>(1, on_grid(limit, unit_ + *exponent)); /* 0 would mean: no limit */
+    }
+  }
+
+  void set_camera() {
+    const Camera &from = file_.camera;
+    fc_camera &camera = out_.camera;
+    const Triple eye = scaled(from.from), target = scaled(from.at), up = values(from.up);
+    const std::optional<int> exponent = own_exponent({eye, target}, unit_, -31, 31);
+    if (!exponent) fail(file_, from.line, "the camera is too far away for the size of the scene");
+    camera.exponent = static_cast<std::int8_t>(*exponent);
+    camera.eye = on_grid(eye, unit_ + *exponent);
+    camera.target = on_grid(target, unit_ + *exponent);
+    if (largest({up}) > 0) camera.up = on_grid(up, finest_exponent(largest({up})));
+    camera.fov_rule = from.tan_half_fov ? FC_FOV_EDGES : FC_FOV_CENTRES;
+    const long double pi = 3.14159265358979323846264338327950288L;
+    set_tangent(from.tan_half_fov ? from.tan_half_fov->value : std::tan(from.angle_degrees.value * pi / 360));
+  }
+
+  /* The last continued-fraction convergent whose terms fit 32 bits: exact for 1/2 and 0.466, otherwise nearer
+   * than a power of two as denominator comes. Euclid's algorithm on long doubles is exact, since fmod is. */
+  void set_tangent(long double tangent) {
+    if (!(tangent >= std::ldexp(1.0L, -16) && tangent <= std::ldexp(1.0L, 16)))
+      fail(file_, file_.camera.line,
+           "the field of view is outside its range (tangent of half of it 2^-16 to 2^16)");
+    const long double limit = 4294967295.0L;
+    long double a = tangent, b = 1, p0 = 0, q0 = 1, p1 = 1, q1 = 0;
+    while (b > 0) {
+      const long double rest = std::fmod(a, b);
+      const long double term = std::round((a - rest) / b);
+      const long double p = term * p1 + p0, q = term * q1 + q0;
+      if (!(p <= limit && q <= limit)) break;
+      p0 = p1, q0 = q1, p1 = p, q1 = q;
+      a = b;
+      b = rest;
+    }
+    out_.camera.tan_half_fov_numerator = static_cast<std::uint32_t>(p1);
+    out_.camera.tan_half_fov_denominator = static_cast<std::uint32_t>(q1);
+  }
+
+  const SceneFile &file_;
+  CoreScene out_;
+  int unit_ = 0;
+  std::size_t primitives_ = 0;
+  std::vector<std::uint16_t> material_index_; /* of a SceneFile material in out_.materials */
+  std::map<std::tuple<std::uint16_t, std::uint16_t, std::uint16_t>, std::uint16_t> material_of_;
+  std::map<std::tuple<std::int32_t, std::int32_t, std::int32_t>, std::uint16_t> vertex_of_;
+};
+
+} // namespace
+
+CoreScene to_core(const SceneFile &file) {
+  return Converter(file).run();
+}
+
+long double world_unit(const fc_scene &scene) {
+  return std::ldexp(1.0L, scene.exponent - 16);
+}
+
+fc_options to_options(const std::string &offset, const fc_scene &scene) {
+  fc_options options{};
+  if (offset == "exact") {
+    options.offset_rule = FC_OFFSET_EXACT;
+  } else if (offset == "residual") {
+    options.offset_rule = FC_OFFSET_RESIDUAL;
+  } else if (offset == "none") {
+    options.offset_rule = FC_OFFSET_NONE;
+  } else if (offset.rfind("epsilon=", 0) == 0) {
+    options.offset_rule = FC_OFFSET_EPSILON;
+    const char *text = offset.c_str() + 8;
+    char *end = nullptr;
+    const long double epsilon = std::strtold(text, &end);
+    if (end == text || *end != '\0' || !(epsilon >= 0) || !std::isfinite(epsilon))
+      throw UserError("--offset epsilon=N takes a distance in world units, 0 or more, such as 0.001");
+    const int unit = scene.exponent - 16;
+    const std::optional<int> exponent = own_exponent({{epsilon, 0, 0}}, unit, -31, 0);
+    if (!exponent) throw UserError("--offset " + offset + " is larger than the scene");
+    options.epsilon_exponent = static_cast<std::int8_t>(*exponent);
+    options.epsilon = on_grid(epsilon, unit + *exponent);
+  } else {
+    throw UserError("--offset takes exact, residual, none or epsilon=N, not \"" + offset + "\"");
+  }
+  return options;
+}
+
+} // namespace host

@@ -1,0 +1,49 @@
+/*
+ * From the scene as written to the core's integers: every number is rounded once, here and nowhere else.
+ *
+ * The scene's exponent is the finest one that holds every sphere and vertex; camera, lights, planes and the
+ * far limit get exponents of their own, relative to it. A scale by a power of two therefore changes exponents
+ * only.
+ */
+#ifndef FIXCAST_HOST_TO_CORE_H
+#define FIXCAST_HOST_TO_CORE_H
+
+#include <string>
+#include <vector>
+
+#include "fixcast/fixcast.h"
+#include "scene_file.h"
+
+namespace host {
+
+/* The core's tables and the memory they live in. Moving keeps the pointers inside; copying would not. */
+struct CoreScene {
+  CoreScene() = default;
+  CoreScene(CoreScene &&) = default;
+  CoreScene &operator=(CoreScene &&) = default;
+  CoreScene(const CoreScene &) = delete;
+  CoreScene &operator=(const CoreScene &) = delete;
+
+  std::vector<fc_sphere> spheres;
+  std::vector<fc_plane> planes;
+  std::vector<fc_vec3> vertices; /* no two alike */
+  std::vector<fc_triangle> triangles;
+  std::vector<fc_material> materials; /* no two alike */
+  std::vector<fc_light> lights;
+  std::vector<fc_shapes> shapes; /* spheres, planes, triangles, without the empty ones */
+  fc_scene scene{};
+  fc_camera camera{};
+};
+
+/* Throws UserError, with file and line, when the scene doesn't fit the core's ranges. */
+CoreScene to_core(const SceneFile &file);
+
+/* One world coordinate in world units. */
+long double world_unit(const fc_scene &scene);
+
+/* The rule for shadow tests: "exact", "residual", "none" or "epsilon=N", N in world units. Throws UserError. */
+fc_options to_options(const std::string &offset, const fc_scene &scene);
+
+} // namespace host
+
+#endif

@@ -1,0 +1,31 @@
+/*
+ * Compile-time knobs. Each has a default that suits a host or a von Neumann microcontroller; define a knob
+ * before the first fixcast header (or on the compiler's command line) to change it.
+ */
+#ifndef FIXCAST_CONFIG_H
+#define FIXCAST_CONFIG_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+/*
+ * FC_ROM: attribute of constant tables. FC_READ(to, from, bytes): copies constant data to RAM.
+ *
+ * Everything constant that the core looks at (scenes, kinds of shape) is read through FC_READ, so that chips
+ * whose flash is not in the data address space only need these two. Default: AVR's program memory on AVR,
+ * plain memory elsewhere.
+ */
+#if defined(__AVR__) && !defined(FC_READ)
+#include <avr/pgmspace.h>
+#define FC_ROM PROGMEM
+#define FC_READ(to, from, bytes) ((void)memcpy_P((to), (from), (bytes)))
+#endif
+#ifndef FC_ROM
+#define FC_ROM
+#endif
+#ifndef FC_READ
+#define FC_READ(to, from, bytes) ((void)memcpy((to), (from), (bytes)))
+#endif
+
+#endif

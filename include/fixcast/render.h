@@ -1,0 +1,85 @@
+/*
+ * Frames and strips: set a frame up once, then render any rows of it, in any order, into the caller's memory.
+ *
+ * The same bits come out whatever the strip height, the order of the strips, the compiler or the machine.
+ */
+#ifndef FIXCAST_RENDER_H
+#define FIXCAST_RENDER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "fixcast/camera.h"
+#include "fixcast/framebuffer.h"
+#include "fixcast/ray.h"
+#include "fixcast/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define FC_SIZE_MAX UINT16_C(4096) /* largest width or height of a frame */
+
+/* All zero is the default. */
+typedef struct fc_options {
+  uint8_t offset_rule;   /* fc_offset_rule for shadow tests */
+  uint8_t depth_exponent_bits; /* 0: by the scene's depth range; or 2, 3, 4 */
+  int8_t epsilon_exponent;
+  int32_t epsilon;       /* FC_OFFSET_EPSILON: epsilon * 2^epsilon_exponent world coordinates */
+} fc_options;
+
+/* World to camera: right, up, forward as rows, and where the eye is. Private. */
+typedef struct fc_view {
+  int32_t row[3][3];  /* Q30 */
+  int64_t eye[3];     /* world coordinates times 2^fine */
+  uint8_t fine;       /* extra fraction bits of eye, 0..31 */
+  int16_t shift;      /* camera grid unit = 2^shift world coordinates / 2^fine */
+  int32_t focal;      /* z of every pixel's direction; x and y are whole numbers times 2^pixel_shift */
+  uint8_t pixel_shift;
+} fc_view;
+
+/* A frame: the camera-space copy of a scene. Filled by fc_frame_setup; fields are private. It keeps pointers to the
+ * scene's tables and the memory, which must outlive it, and is not changed by rendering (threads may share it). */
+typedef struct fc_frame {
+  fc_scene scene; /* the scene's own fields, copied: the tables stay where they are */
+  void *memory;
+  const int64_t *lights; /* in memory: camera-space positions, three a light */
+  fc_view view;
+  fc_options options;
+  uint16_t width, height;
+  int64_t epsilon_grid; /* epsilon in camera grid units */
+  uint32_t depth_near; /* camera z, in grid units, of depth value 1 */
+  uint8_t depth_exponent_bits;
+} fc_frame;
+
+/* Bytes of working memory a frame of this scene needs (12 a vertex, 16 a sphere, 24 a plane, 24 a light, rounded
+ * up), or an error through *error (may be NULL), then 0. */
+size_t fc_frame_memory(const fc_scene *scene, int *error);
+
+/* Checks the scene and the camera and brings them into camera space. `memory` is the caller's, aligned for int64_t,
+ * at least fc_frame_memory() bytes, and must live as long as the frame. `options` may be NULL.
+ * Errors: any of fc_error; on an error the frame must not be used. */
+int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *camera, const fc_options *options,
+                   uint16_t width, uint16_t height, void *memory, size_t memory_bytes);
+
+/* Renders rows y .. y + rows - 1. Returns FC_OK or an error (nothing is written then). */
+int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
+
+/* What pixel (x, y) shows: 1 with *hit filled (world coordinates; lit as in fc_target, lit may be NULL),
+ * 0 for background, or an error. hit->t_q32 is the depth (camera z) in world coordinates. Position is within 2 world units plus one part in 2^28 of the distance. */
+int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t *lit);
+
+/* Depth codes are the floating-point form of depth_near / z: `depth_exponent_bits` exponent bits, the rest mantissa
+ * with a hidden one, correctly rounded. The camera z of a code (not 0), as mantissa * 2^*exponent world coordinates,
+ * mantissa in 2^31..2^32-1. Relative error of the mantissa 2^-30; of the code 2^-15, 2^-14 or 2^-13. */
+uint32_t fc_depth_z(const fc_frame *frame, uint16_t code, int *exponent);
+
+/* The object id of a primitive number, 0 for 0xffff. */
+uint16_t fc_object(const fc_frame *frame, uint16_t primitive);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,118 @@
+/*
+ * What a scene is: constant tables that may live in flash, in world coordinates.
+ *
+ * World: right-handed; a coordinate is an int32_t within +-FC_COORDINATE_MAX that stands for
+ * value * 2^(exponent - 16) world units, with one exponent for the scene (0, the default, is Q16.16).
+ * Multiplying a scene by a power of two changes exponents only, so no bit of the picture changes.
+ * The caller owns every table; they must live as long as any frame set up from them.
+ */
+#ifndef FIXCAST_SCENE_H
+#define FIXCAST_SCENE_H
+
+#include <stdint.h>
+
+#include "fixcast/config.h"
+#include "fixcast/vec3.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Linear colour, each channel Q1.15: 32768 is 1.0 (SPEC "Light units"). */
+typedef struct fc_rgb {
+  uint16_t r, g, b;
+} fc_rgb;
+
+#define FC_ONE_Q15 UINT16_C(32768)
+/* A channel or colour given in 0..255, rounded to nearest Q1.15. */
+#define FC_CHANNEL8(v) ((uint16_t)(((uint32_t)(v)*32768u + 127u) / 255u))
+#define FC_RGB8(r, g, b) \
+  { FC_CHANNEL8(r), FC_CHANNEL8(g), FC_CHANNEL8(b) }
+/* A grey given as a real constant in 0..1.99: FC_GREY(0.875). */
+#define FC_GREY_CHANNEL(v) ((uint16_t)((v)*32768.0 + 0.5))
+#define FC_GREY(v) \
+  { FC_GREY_CHANNEL(v), FC_GREY_CHANNEL(v), FC_GREY_CHANNEL(v) }
+
+typedef struct fc_material {
+  fc_rgb diffuse; /* reflectance, 0..32768 a channel */
+} fc_material;
+
+/* `material` indexes fc_scene.materials; `object` is the id a pixel reports (0 is the background's). */
+typedef struct fc_sphere {
+  fc_vec3 center;
+  int32_t radius; /* world coordinates, 1..FC_COORDINATE_MAX */
+  uint16_t material, object;
+} fc_sphere;
+
+/* The points p with normal . p + d = 0 (the lectures' form). The normal has any length but 0, and its own
+ * scale: with p in world coordinates, d stands for d * 2^d_exponent, d_exponent 0..32. For a normal of plain
+ * integers such as (0, 1, 0), d is a world coordinate and d_exponent is 0. */
+typedef struct fc_plane {
+  fc_vec3 normal;
+  int32_t d;
+  int8_t d_exponent;
+  uint16_t material, object;
+} fc_plane;
+
+/* Indices into the vertices of its fc_shapes. Both sides are visible. A triangle without area is never hit. */
+typedef struct fc_triangle {
+  uint16_t vertex[3];
+  uint16_t material, object;
+} fc_triangle;
+
+/* One kind of shape: code that only scenes naming it link. Opaque; the three below are all there are. */
+typedef struct fc_kind fc_kind;
+extern const fc_kind fc_kind_sphere, fc_kind_plane, fc_kind_triangle;
+
+/* A table of shapes of one kind; triangles share a table of vertices. Use the macros. */
+typedef struct fc_shapes {
+  const fc_kind *kind;
+  const void *items; /* fc_sphere, fc_plane or fc_triangle, as the kind says */
+  const fc_vec3 *vertices;
+  uint16_t count, vertex_count;
+} fc_shapes;
+
+#define FC_COUNT_OF(table) ((uint16_t)(sizeof(table) / sizeof((table)[0])))
+#define FC_SPHERES(table) \
+  { &fc_kind_sphere, (table), NULL, FC_COUNT_OF(table), 0 }
+#define FC_PLANES(table) \
+  { &fc_kind_plane, (table), NULL, FC_COUNT_OF(table), 0 }
+#define FC_TRIANGLES(vertices, table) \
+  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices) }
+
+/* A point light. `position` stands for position * 2^exponent in world coordinates (-31..32): a far sun needs a
+ * coarser grid than the scene. `intensity` is Q1.15 times 2^intensity_exponent (-40..40): irradiance of a surface
+ * facing the light (no falloff), or the same at a distance of one world unit (inverse square). */
+typedef struct fc_light {
+  fc_vec3 position;
+  fc_rgb intensity;
+  int8_t exponent;
+  int8_t intensity_exponent;
+  uint8_t inverse_square; /* 0: intensity does not fall off with distance; 1: Kepler's law */
+} fc_light;
+
+/* Largest number of primitives in a scene: a pixel's primitive is kept in 16 bits, 0xffff meaning none. */
+#define FC_PRIMITIVES_MAX UINT16_C(0xffff)
+
+typedef struct fc_scene {
+  const fc_shapes *shapes;
+  const fc_material *materials;
+  const fc_light *lights;
+  uint16_t shape_count; /* tables of shapes, not shapes; primitives are numbered through them in order */
+  uint16_t material_count, light_count;
+  int8_t exponent;     /* a coordinate is value * 2^(exponent - 16) world units; -60..60 */
+  int8_t far_exponent; /* -31..32 */
+  int32_t far_limit;   /* surfaces farther along the ray than far_limit * 2^far_exponent world coordinates
+                        * are background; 0: no limit; 1..FC_COORDINATE_MAX otherwise */
+  fc_rgb ambient, background;
+} fc_scene;
+
+/* Checks every table against its documented ranges: FC_OK or an error. Frames are set up from checked scenes only;
+ * call it once before using a scene with the ray engine. */
+int fc_scene_check(const fc_scene *scene);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

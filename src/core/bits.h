@@ -1,0 +1,36 @@
+/* Shifts and bit counts that C99 leaves to the implementation, defined for every input used here. */
+#ifndef FC_BITS_H
+#define FC_BITS_H
+
+#include <stdint.h>
+
+/* Leading zeros of a non-zero word. */
+static inline uint8_t fc_clz64(uint64_t v) {
+#if defined(__GNUC__)
+  return (uint8_t)__builtin_clzll(v);
+#else
+  uint8_t n = 0;
+  while (!(v >> 63)) {
+    v <<= 1;
+    n++;
+  }
+  return n;
+#endif
+}
+
+/* Bits of a word up to its highest one; 0 for 0. */
+static inline uint8_t fc_bits64(uint64_t v) { return v == 0 ? 0 : (uint8_t)(64 - fc_clz64(v)); }
+
+/* |v| without overflow at INT64_MIN. */
+static inline uint64_t fc_abs64(int64_t v) { return v < 0 ? 0u - (uint64_t)v : (uint64_t)v; }
+
+static inline uint32_t fc_abs32(int32_t v) { return v < 0 ? 0u - (uint32_t)v : (uint32_t)v; }
+
+/* floor(v / 2^s), s 0..63. */
+static inline int64_t fc_floor_shift64(int64_t v, uint8_t s) {
+  return v < 0 ? -(int64_t)(~(uint64_t)v >> s) - 1 : (int64_t)((uint64_t)v >> s);
+}
+
+static inline int8_t fc_sign64(int64_t v) { return (int8_t)((v > 0) - (v < 0)); }
+
+#endif

@@ -1,0 +1,57 @@
+/* Depth codes: format choice, encoding with an exact tie break, decoding. */
+#include "depth.h"
+
+#include "num.h"
+
+void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
+  uint8_t bits = frame->options.depth_exponent_bits;
+  /* Something touches the eye's plane or has no end: sixteen octaves below the coordinates' range. */
+  if (near == 0) near = ((far < (UINT64_C(1) << 30) ? far : (UINT64_C(1) << 30)) >> 16) + 1;
+  if (near > UINT32_MAX) near = UINT32_MAX;
+  frame->depth_near = (uint32_t)near;
+  if (bits == 0) {
+    /* codes run down to near / 2^(2^bits); the lowest is kept free, hence the small margin */
+    uint64_t reach = far > UINT64_MAX / 2 ? UINT64_MAX : far + far / 512;
+    bits = reach <= near << 4 ? 2 : reach <= near << 8 ? 3 : 4;
+  }
+  frame->depth_exponent_bits = bits;
+}
+
+uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root) {
+  uint8_t e_bits = frame->depth_exponent_bits, m_bits = (uint8_t)(16 - e_bits), drop = (uint8_t)(62 - m_bits);
+  int32_t octaves = INT32_C(1) << e_bits, octave;
+  fc_num z = fc_num_mul(fc_root_value(root), fc_num_from_u64((uint64_t)frame->view.focal, 0));
+  fc_num v = fc_num_div(fc_num_from_u64(frame->depth_near, 0), z);
+  uint64_t fraction = v.m - (UINT64_C(1) << 62), rest, half = UINT64_C(1) << (drop - 1);
+  uint32_t code;
+  octave = v.e + 62 + octaves; /* 1/2 <= v < 1 is the highest, octaves - 1 */
+  if (octave >= octaves) return UINT16_MAX;
+  if (octave < 0) return 1;
+  code = ((uint32_t)octave << m_bits) | (uint32_t)(fraction >> drop);
+  rest = fraction & ((UINT64_C(1) << drop) - 1);
+  /* v is within 2^-57: less than 2^6 in its last places */
+  if (rest > half + 256) {
+    code++;
+  } else if (rest + 256 >= half) {
+    /* near / (t F) against (2^m_bits + mantissa + 1/2) 2^(octave - octaves - m_bits), cleared of fractions:
+     * 32 + 29 + 1 bits against 18 + 30 */
+    uint32_t mantissa = (uint32_t)(fraction >> drop) + (UINT32_C(1) << m_bits);
+    fc_wide a, b;
+    fc_wide_from_i64(&a, frame->depth_near);
+    fc_wide_shift_left(&a, &a, (uint16_t)(octaves - octave + m_bits + 1));
+    fc_wide_from_i64(&b, (int64_t)(2 * mantissa + 1) * frame->view.focal);
+    if (fc_root_compare_ratio(root, &a, &b) >= 0) code++;
+  }
+  if (code == 0) return 1;
+  return code > UINT16_MAX ? UINT16_MAX : (uint16_t)code;
+}
+
+uint32_t fc_depth_z(const fc_frame *frame, uint16_t code, int *exponent) {
+  uint8_t m_bits = (uint8_t)(16 - frame->depth_exponent_bits);
+  int32_t octave = code >> m_bits, octaves = INT32_C(1) << frame->depth_exponent_bits;
+  uint32_t mantissa = (UINT32_C(1) << m_bits) | (code & ((UINT32_C(1) << m_bits) - 1));
+  fc_num z = fc_num_div(fc_num_from_u64(frame->depth_near, 0), fc_num_from_u64(mantissa, 0));
+  z = fc_num_scale(z, octaves + m_bits - octave);
+  *exponent = (int)(z.e + 31 + frame->view.shift - frame->view.fine);
+  return (uint32_t)(z.m >> 31);
+}

@@ -1,0 +1,146 @@
+/* Frame set-up: a scene brought into camera space, in the caller's memory. */
+#include <string.h>
+
+#include "bits.h"
+#include "depth.h"
+#include "fixcast/error.h"
+#include "fixcast/render.h"
+#include "space.h"
+#include "view.h"
+
+static size_t memory_of(const fc_scene *scene) {
+  fc_space space;
+  fc_cursor cursor;
+  space.scene = scene;
+  space.memory = NULL;
+  fc_cursor_start(&cursor, &space);
+  while (fc_cursor_next(&cursor)) {
+  }
+  return cursor.bytes + (size_t)scene->light_count * 3 * sizeof(int64_t);
+}
+
+size_t fc_frame_memory(const fc_scene *scene_rom, int *error) {
+  fc_scene scene;
+  int status = fc_scene_check(scene_rom);
+  if (error != NULL) *error = status;
+  if (status != FC_OK) return 0;
+  FC_READ(&scene, scene_rom, sizeof scene);
+  return memory_of(&scene);
+}
+
+/* The finest grid on which the farthest finite geometry has coordinates below 2^30 - 16. */
+static void choose_grid(fc_frame *frame) {
+  fc_num most = fc_num_from_u64(1, 0);
+  fc_space space;
+  fc_cursor cursor;
+  int32_t shift;
+  space.scene = &frame->scene;
+  space.memory = NULL;
+  fc_cursor_start(&cursor, &space);
+  while (fc_cursor_next(&cursor)) {
+    fc_num extent = cursor.kind.extent(&frame->view, &cursor.group.shapes);
+    if (fc_num_compare(extent, most) > 0) most = extent;
+  }
+  shift = most.e + 63 - 30;
+  if (most.m > (UINT64_C(1) << 63) - (UINT64_C(1) << 38)) shift++; /* no room for rounding */
+  /* rows are Q30: finer than that there is nothing to gain */
+  frame->view.shift = (int16_t)(shift < -30 ? -30 : shift);
+}
+
+static void place_shapes(const fc_frame *frame, unsigned char *memory) {
+  fc_space space;
+  fc_cursor cursor;
+  space.scene = &frame->scene;
+  space.memory = NULL;
+  fc_cursor_start(&cursor, &space);
+  while (fc_cursor_next(&cursor)) cursor.kind.place(&frame->view, &cursor.group.shapes, memory + cursor.bytes);
+}
+
+static int place_lights(const fc_frame *frame, int64_t *to) {
+  uint16_t i;
+  for (i = 0; i < frame->scene.light_count; i++) {
+    fc_light light;
+    FC_READ(&light, frame->scene.lights + i, sizeof light);
+    if (!fc_view_point(&frame->view, &light.position, light.exponent, to + 3 * (size_t)i)) return FC_ERR_LIGHT;
+  }
+  return FC_OK;
+}
+
+/* far * 2^exponent world coordinates in grid units, as an exponent */
+static int16_t far_exponent(const fc_frame *frame) {
+  return (int16_t)(frame->scene.far_exponent + frame->view.fine - frame->view.shift);
+}
+
+static void measure_depth(fc_frame *frame) {
+  uint64_t near = UINT64_MAX, far = 0;
+  fc_space space;
+  fc_cursor cursor;
+  space.scene = &frame->scene;
+  space.memory = frame->memory;
+  fc_cursor_start(&cursor, &space);
+  while (fc_cursor_next(&cursor)) {
+    uint16_t i;
+    for (i = 0; i < cursor.group.shapes.count; i++) {
+      fc_form form;
+      uint64_t low = 0, high = 0;
+      cursor.kind.fetch(&cursor.group, i, &form);
+      if (!cursor.kind.depth_range(frame, &form, &low, &high)) continue;
+      if (low < near) near = low;
+      if (high > far) far = high;
+    }
+  }
+  if (far == 0) near = far = 1; /* nothing to see */
+  if (frame->scene.far_limit > 0) {
+    uint64_t limit = fc_num_round(fc_num_from_u64((uint64_t)frame->scene.far_limit, far_exponent(frame)), 0);
+    if (limit < far) far = limit > near ? limit : near;
+  }
+  fc_depth_choose(frame, near, far);
+}
+
+static int check_options(const fc_options *options) {
+  if (options->offset_rule > FC_OFFSET_NONE) return FC_ERR_FORMAT;
+  if (options->depth_exponent_bits != 0 && (options->depth_exponent_bits < 2 || options->depth_exponent_bits > 4))
+    return FC_ERR_FORMAT;
+  if (options->epsilon < 0 || options->epsilon > FC_COORDINATE_MAX) return FC_ERR_COORDINATE;
+  if (options->epsilon_exponent < -31 || options->epsilon_exponent > 31) return FC_ERR_EXPONENT;
+  return FC_OK;
+}
+
+int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *camera_rom, const fc_options *options,
+                   uint16_t width, uint16_t height, void *memory, size_t memory_bytes) {
+  fc_camera camera;
+  size_t bytes;
+  int error;
+  uint64_t epsilon;
+  if (frame == NULL || scene == NULL || camera_rom == NULL) return FC_ERR_NULL;
+  if (width < 1 || height < 1 || width > FC_SIZE_MAX || height > FC_SIZE_MAX) return FC_ERR_SIZE;
+  memset(frame, 0, sizeof *frame);
+  if (options != NULL) frame->options = *options;
+  error = check_options(&frame->options);
+  if (error != FC_OK) return error;
+  bytes = fc_frame_memory(scene, &error);
+  if (error != FC_OK) return error;
+  if (bytes > 0 && (memory == NULL || memory_bytes < bytes || (uintptr_t)memory % sizeof(int64_t) != 0))
+    return FC_ERR_MEMORY;
+  FC_READ(&frame->scene, scene, sizeof frame->scene);
+  FC_READ(&camera, camera_rom, sizeof camera);
+  frame->memory = memory;
+  frame->width = width;
+  frame->height = height;
+  error = fc_view_from_camera(&frame->view, &camera, width, height);
+  if (error != FC_OK) return error;
+  choose_grid(frame);
+  if (bytes > 0) {
+    size_t shape_bytes = bytes - (size_t)frame->scene.light_count * 3 * sizeof(int64_t);
+    int64_t *lights = (int64_t *)memory + shape_bytes / sizeof(int64_t);
+    place_shapes(frame, memory);
+    error = place_lights(frame, lights);
+    if (error != FC_OK) return error;
+    frame->lights = lights;
+  }
+  epsilon = fc_num_round(fc_num_from_u64((uint64_t)frame->options.epsilon, frame->options.epsilon_exponent),
+                         frame->view.fine - frame->view.shift);
+  frame->epsilon_grid = epsilon > (UINT64_C(1) << 40) ? INT64_C(1) << 40 : (int64_t)epsilon;
+  measure_depth(frame);
+  return FC_OK;
+}

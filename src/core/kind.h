@@ -1,0 +1,99 @@
+/*
+ * What a kind of shape can do: the interface behind fc_kind, and the local forms it works on.
+ *
+ * A scene's table names its kind by a pointer to this record, so that the linker drops the kinds no scene names.
+ * Forms are copies on the stack, in world coordinates (ray engine) or in camera space (frames): the same code
+ * serves both.
+ */
+#ifndef FC_KIND_H
+#define FC_KIND_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "fixcast/render.h"
+#include "fixcast/scene.h"
+#include "root.h"
+#include "segment.h"
+
+/* A primitive's geometry and tags. Coordinates within FC_COORDINATE_MAX. */
+typedef struct fc_form {
+  union {
+    struct {
+      int64_t center[3];
+      int64_t radius;
+    } sphere;
+    struct {
+      int64_t normal[3]; /* below 2^30 */
+      int64_t k;         /* normal . p = k, below 2^62 */
+    } plane;
+    struct {
+      int64_t vertex[3][3];
+    } triangle;
+  } u;
+  uint16_t material, object;
+} fc_form;
+
+/* A form as seen from a ray's origin: what does not depend on the direction. */
+typedef struct fc_prepared {
+  union {
+    struct {
+      int64_t oc[3]; /* center - origin */
+      fc_i128 c;     /* |oc|^2 - r^2 */
+    } sphere;
+    struct {
+      int64_t normal[3];
+      int64_t side; /* k - normal . origin */
+    } plane;
+    struct {
+      int64_t edge[3][3];   /* N_i = V_i x V_i+1, vertices relative to the origin */
+      int32_t filter[3][3]; /* floor(N_i / 2^s), below 2^30 */
+      int64_t normal[3];
+      fc_i128 side;         /* normal . V_0 */
+    } triangle;
+  } u;
+} fc_prepared;
+
+/* A table of shapes opened for reading: local copies of what may live in flash. */
+typedef struct fc_group {
+  fc_shapes shapes;
+  uint16_t first;     /* number of its first primitive */
+  const void *memory; /* camera-space copy, NULL in world space */
+} fc_group;
+
+/* Rows and columns of the frame that a form may touch, inclusive. */
+typedef struct fc_window {
+  int32_t x0, x1, y0, y1;
+} fc_window;
+
+struct fc_kind {
+  /* Checks the table's items; FC_OK or an error. */
+  int (*check)(const fc_scene *scene, const fc_shapes *shapes);
+  /* Bytes of camera-space memory, a multiple of 8. */
+  size_t (*memory)(const fc_shapes *shapes);
+  /* Greatest distance from the eye that the frame's grid has to hold. */
+  fc_num (*extent)(const fc_view *view, const fc_shapes *shapes);
+  /* Brings the table into camera space. */
+  void (*place)(const fc_view *view, const fc_shapes *shapes, void *memory);
+  void (*fetch)(const fc_group *group, uint16_t index, fc_form *form);
+  void (*prepare)(const fc_form *form, const int64_t origin[3], fc_prepared *prepared);
+  /* Roots with t > 0, ascending: 0, 1 or 2 of them. |direction| components below 2^30. */
+  uint8_t (*test)(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]);
+  /* Whether the open segment meets the form. */
+  bool (*blocked)(const fc_form *form, const fc_segment *segment);
+  /* Whether the side of the form that the origin sees faces the light. */
+  bool (*facing)(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment);
+  /* A vector along the normal at a point, and whether the origin is on its far side (`inside`). */
+  bool (*normal)(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t normal[3]);
+  /* Moves a rounded point to the origin's side by its exact residual. */
+  void (*step_off)(const fc_form *form, bool inside, int64_t point[3]);
+  /* Barycentric weights of a hit, Q30; NULL where there are none. */
+  void (*weights)(const fc_prepared *prepared, const int64_t direction[3], uint32_t weight_q30[3]);
+  /* Narrows the window (given as the whole frame) to what the form may touch; false when it cannot be seen. */
+  bool (*window)(const fc_frame *frame, const fc_form *form, fc_window *window);
+  /* Least and greatest camera z that can be seen; *near 0: may reach the eye's plane; *far UINT64_MAX: unbounded.
+   * False when the form cannot be seen. */
+  bool (*depth_range)(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far);
+};
+
+#endif

@@ -1,0 +1,187 @@
+/* Infinite planes: one division a ray, and everything else is which side a point is on. */
+#include "bits.h"
+#include "fixcast/error.h"
+#include "kind.h"
+#include "view.h"
+
+/* Camera-space record. */
+typedef struct placed_plane {
+  int64_t k; /* normal . p = k */
+  int32_t normal[3];
+} placed_plane;
+
+static void read_item(const fc_shapes *shapes, uint16_t index, fc_plane *plane) {
+  FC_READ(plane, (const fc_plane *)shapes->items + index, sizeof *plane);
+}
+
+static int check(const fc_scene *scene, const fc_shapes *shapes) {
+  uint16_t i;
+  for (i = 0; i < shapes->count; i++) {
+    fc_plane p;
+    read_item(shapes, i, &p);
+    if (fc_abs32(p.normal.x) > (uint32_t)FC_COORDINATE_MAX || fc_abs32(p.normal.y) > (uint32_t)FC_COORDINATE_MAX ||
+        fc_abs32(p.normal.z) > (uint32_t)FC_COORDINATE_MAX || fc_abs32(p.d) > (uint32_t)FC_COORDINATE_MAX)
+      return FC_ERR_COORDINATE;
+    if ((p.normal.x | p.normal.y | p.normal.z) == 0) return FC_ERR_NORMAL;
+    if (p.d_exponent < 0 || p.d_exponent > 31) return FC_ERR_EXPONENT;
+    if (p.material >= scene->material_count) return FC_ERR_INDEX;
+  }
+  return FC_OK;
+}
+
+static size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(placed_plane); }
+
+static void normal_of(const fc_plane *p, int64_t n[3]) {
+  n[0] = p->normal.x;
+  n[1] = p->normal.y;
+  n[2] = p->normal.z;
+}
+
+/* k of the plane relative to the eye, in units of 2^-fine: -d - normal . eye; 30+31+31 bits and 30+61+2: below 2^94. */
+static fc_i128 offset_from_eye(const fc_view *view, const fc_plane *p) {
+  int64_t n[3];
+  fc_i128 d = fc_i128_shift_left(fc_i128_from(p->d), (uint8_t)(p->d_exponent + view->fine));
+  normal_of(p, n);
+  return fc_i128_neg(fc_i128_add(d, fc_i128_dot(n, view->eye)));
+}
+
+static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
+  fc_num most = {0, 0};
+  uint16_t i;
+  for (i = 0; i < shapes->count; i++) {
+    fc_plane p;
+    int64_t n[3];
+    fc_num distance;
+    read_item(shapes, i, &p);
+    normal_of(&p, n);
+    distance = fc_num_div(fc_num_from_abs(offset_from_eye(view, &p)), fc_length(n));
+    if (fc_num_compare(distance, most) > 0) most = distance;
+  }
+  return most;
+}
+
+static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
+  placed_plane *placed = to;
+  uint16_t i;
+  for (i = 0; i < shapes->count; i++) {
+    fc_plane p;
+    int64_t n[3], rotated[3];
+    fc_i128 k;
+    uint8_t j, bits;
+    int16_t scale;
+    read_item(shapes, i, &p);
+    normal_of(&p, n);
+    /* unit row times 30-bit normal: below 2^30 * 2^31 */
+    for (j = 0; j < 3; j++)
+      rotated[j] = view->row[j][0] * n[0] + view->row[j][1] * n[1] + view->row[j][2] * n[2];
+    bits = fc_vector_bits(rotated);
+    /* keep 29 bits and a rounding: at most 2^29. A normal of a few units has at least 30 bits after the rotation. */
+    for (j = 0; j < 3; j++)
+      placed[i].normal[j] = (int32_t)fc_i128_to_i64(fc_i128_round_shift(fc_i128_from(rotated[j]), (uint8_t)(bits - 29)));
+    /* normal was scaled by 2^(30 - (bits - 29)), the grid by 2^-shift */
+    scale = (int16_t)(30 - (bits - 29) - view->shift);
+    k = offset_from_eye(view, &p);
+    k = scale >= 0 ? fc_i128_shift_left(k, (uint8_t)scale) : fc_i128_round_shift(k, (uint8_t)-scale);
+    placed[i].k = fc_i128_to_i64(k); /* distance below 2^30 times |normal| below 2^30 */
+  }
+}
+
+static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
+  fc_plane p;
+  read_item(&group->shapes, index, &p);
+  form->material = p.material;
+  form->object = p.object;
+  if (group->memory != NULL) {
+    const placed_plane *placed = (const placed_plane *)group->memory + index;
+    form->u.plane.normal[0] = placed->normal[0];
+    form->u.plane.normal[1] = placed->normal[1];
+    form->u.plane.normal[2] = placed->normal[2];
+    form->u.plane.k = placed->k;
+  } else {
+    normal_of(&p, form->u.plane.normal);
+    form->u.plane.k = -p.d * (INT64_C(1) << p.d_exponent); /* 30 + 31 bits */
+  }
+}
+
+static void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
+  /* 61 bits and 30 + 30 + 2: below 2^63 */
+  const int64_t *n = form->u.plane.normal;
+  prepared->u.plane.normal[0] = n[0];
+  prepared->u.plane.normal[1] = n[1];
+  prepared->u.plane.normal[2] = n[2];
+  prepared->u.plane.side = form->u.plane.k - (n[0] * origin[0] + n[1] * origin[1] + n[2] * origin[2]);
+}
+
+static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
+  /* t = side / (normal . direction): 30 + 30 + 2 bits */
+  const int64_t *n = prepared->u.plane.normal;
+  int64_t side = prepared->u.plane.side;
+  int64_t along = n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2];
+  if (fc_sign64(side) * fc_sign64(along) <= 0) return 0;
+  root[0].p = fc_i128_from_u64(fc_abs64(side));
+  root[0].m = fc_i128_from_u64(fc_abs64(along));
+  root[0].d = root[0].c = fc_i128_from(0);
+  root[0].q = 0;
+  return 1;
+}
+
+static int8_t side_of_light(const fc_form *form, const fc_segment *segment) {
+  return fc_i128_sign(fc_i128_sub(fc_i128_from(form->u.plane.k), fc_i128_dot(form->u.plane.normal, segment->light)));
+}
+
+static bool blocked(const fc_form *form, const fc_segment *segment) {
+  int8_t light = side_of_light(form, segment);
+  if (light == 0) return false;
+  return fc_side_of_point(segment, form->u.plane.normal, fc_i128_from(form->u.plane.k)) == -light;
+}
+
+static bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
+  return fc_sign64(prepared->u.plane.side) * side_of_light(form, segment) > 0;
+}
+
+static bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
+  (void)point;
+  n[0] = form->u.plane.normal[0];
+  n[1] = form->u.plane.normal[1];
+  n[2] = form->u.plane.normal[2];
+  return prepared->u.plane.side > 0; /* k - n.O > 0: the origin is behind */
+}
+
+static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
+  fc_step_off_plane(form->u.plane.normal, fc_i128_from(form->u.plane.k), inside, point);
+}
+
+static bool window(const fc_frame *frame, const fc_form *form, fc_window *box) {
+  (void)frame;
+  (void)form;
+  (void)box;
+  return true;
+}
+
+static bool depth_range(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far) {
+  /* 1/z is affine in the pixel, so the corner pixels hold its extremes; a corner that misses means the horizon
+   * is in view, and z has no bound. */
+
+  const int64_t origin[3] = {0, 0, 0};
+  fc_prepared prepared;
+  uint8_t i, hits = 0;
+  prepare(form, origin, &prepared);
+  for (i = 0; i < 4; i++) {
+    fc_root root[2];
+    int64_t d[3];
+    uint64_t z;
+    fc_view_direction(frame, (i & 1) ? (uint16_t)(frame->width - 1) : 0,
+                      (i & 2) ? (uint16_t)(frame->height - 1) : 0, d);
+    if (test(&prepared, d, root) == 0) continue;
+    z = fc_num_round(fc_num_mul(fc_root_value(&root[0]), fc_num_from_u64((uint64_t)d[2], 0)), 0);
+    if (hits == 0 || z < *near) *near = z;
+    if (hits == 0 || z > *far) *far = z;
+    hits++;
+  }
+  if (hits < 4) *far = UINT64_MAX;
+  if (*near > 0) *near -= 1; /* rounded */
+  return hits > 0;
+}
+
+const fc_kind fc_kind_plane FC_ROM = {check,   memory, extent, place,    fetch,  prepare,    test,
+                                      blocked, facing, normal, step_off, NULL,   window, depth_range};

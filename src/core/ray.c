@@ -1,0 +1,155 @@
+/* The ray engine's public face: single rays, segments and offsets in world coordinates. */
+#include "fixcast/ray.h"
+
+#include "bits.h"
+#include "fixcast/error.h"
+#include "shade.h"
+#include "space.h"
+#include "view.h"
+
+#define NO_PRIMITIVE UINT16_C(0xffff)
+
+static bool load(const fc_vec3 *v, int64_t r[3]) {
+  r[0] = v->x;
+  r[1] = v->y;
+  r[2] = v->z;
+  return fc_abs32(v->x) <= (uint32_t)FC_COORDINATE_MAX && fc_abs32(v->y) <= (uint32_t)FC_COORDINATE_MAX &&
+         fc_abs32(v->z) <= (uint32_t)FC_COORDINATE_MAX;
+}
+
+static int32_t clamp(int64_t v) {
+  if (v > FC_COORDINATE_MAX) return FC_COORDINATE_MAX;
+  return v < -FC_COORDINATE_MAX ? -FC_COORDINATE_MAX : (int32_t)v;
+}
+
+/* The primitive's first root within t_min < t < t_max. */
+static bool first_within(const fc_root root[2], uint8_t count, uint64_t t_min_q32, uint64_t t_max_q32, fc_root *first) {
+  uint8_t i;
+  for (i = 0; i < count; i++) {
+    if (t_min_q32 != 0 && fc_root_compare_q32(&root[i], t_min_q32) <= 0) continue;
+    if (fc_root_compare_q32(&root[i], t_max_q32) >= 0) return false;
+    *first = root[i];
+    return true;
+  }
+  return false;
+}
+
+uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const int64_t direction[3], uint64_t t_min_q32,
+                          uint64_t t_max_q32, fc_root *nearest) {
+  uint16_t found = NO_PRIMITIVE;
+  fc_root best;
+  fc_cursor cursor;
+  bool bounded = nearest != NULL;
+  fc_cursor_start(&cursor, space);
+  while (fc_cursor_next(&cursor)) {
+    uint16_t i;
+    for (i = 0; i < cursor.group.shapes.count; i++) {
+      fc_form form;
+      fc_prepared prepared;
+      fc_root root[2], first;
+      uint8_t count;
+      cursor.kind.fetch(&cursor.group, i, &form);
+      cursor.kind.prepare(&form, origin, &prepared);
+      count = cursor.kind.test(&prepared, direction, root);
+      if (count == 0) continue;
+      first = root[0];
+      if (bounded && !first_within(root, count, t_min_q32, t_max_q32, &first)) continue;
+      if (found != NO_PRIMITIVE && fc_root_compare(&first, &best) >= 0) continue;
+      best = first;
+      found = (uint16_t)(cursor.group.first + i);
+    }
+  }
+  if (found != NO_PRIMITIVE && nearest != NULL) *nearest = best;
+  return found;
+}
+
+void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
+  const int64_t *n = surface->normal;
+  fc_num length = fc_length(n);
+  int32_t unit[3];
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    int32_t q = 0;
+    if (length.m != 0) q = (int32_t)fc_num_round(fc_num_div(fc_num_from_u64(fc_abs64(n[i]), 0), length), 30);
+    unit[i] = (n[i] < 0) != surface->inside ? -q : q;
+    hit->barycentric_q30[i] = 0;
+  }
+  hit->normal_q30.x = unit[0];
+  hit->normal_q30.y = unit[1];
+  hit->normal_q30.z = unit[2];
+  hit->t_q32 = fc_num_round(fc_root_value(&surface->root), 32);
+  hit->position.x = clamp(surface->point[0]);
+  hit->position.y = clamp(surface->point[1]);
+  hit->position.z = clamp(surface->point[2]);
+  if (surface->at.kind.weights != NULL)
+    surface->at.kind.weights(&surface->prepared, surface->direction, hit->barycentric_q30);
+  hit->primitive = surface->primitive;
+  hit->object = surface->form.object;
+  hit->inside = surface->inside;
+}
+
+int fc_intersect(const fc_scene *scene_rom, const fc_ray *ray, fc_hit *hit) {
+  fc_scene scene;
+  fc_space space;
+  fc_surface surface;
+  fc_root root;
+  int64_t origin[3], direction[3];
+  uint16_t nearest;
+  if (scene_rom == NULL || ray == NULL || hit == NULL) return FC_ERR_NULL;
+  if (!load(&ray->origin, origin) || !load(&ray->direction, direction)) return FC_ERR_COORDINATE;
+  if ((direction[0] | direction[1] | direction[2]) == 0) return FC_ERR_DIRECTION;
+  FC_READ(&scene, scene_rom, sizeof scene);
+  space.scene = &scene;
+  space.memory = NULL;
+  nearest = fc_space_nearest(&space, origin, direction, ray->t_min_q32, ray->t_max_q32, &root);
+  if (nearest == NO_PRIMITIVE) return 0;
+  (void)fc_surface_meet(&surface, &space, nearest, origin, direction);
+  surface.root = root;
+  fc_surface_complete(&surface);
+  fc_surface_hit(&surface, hit);
+  return 1;
+}
+
+int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to) {
+  fc_scene scene;
+  fc_space space;
+  fc_segment segment;
+  if (scene_rom == NULL || from == NULL || to == NULL) return FC_ERR_NULL;
+  if (!load(from, segment.point) || !load(to, segment.light)) return FC_ERR_COORDINATE;
+  FC_READ(&scene, scene_rom, sizeof scene);
+  space.scene = &scene;
+  space.memory = NULL;
+  segment.point_error = 0;
+  segment.point_valid = true;
+  segment.root = NULL;
+  segment.origin = segment.direction = NULL;
+  return fc_space_blocked(&space, &segment, NO_PRIMITIVE);
+}
+
+int fc_offset(const fc_scene *scene_rom, const fc_hit *hit, int rule, int32_t epsilon, fc_vec3 *point) {
+  fc_scene scene;
+  fc_space space;
+  fc_surface surface;
+  int64_t moved[3];
+  uint16_t index;
+  if (scene_rom == NULL || hit == NULL || point == NULL) return FC_ERR_NULL;
+  if (rule < FC_OFFSET_EXACT || rule > FC_OFFSET_NONE) return FC_ERR_FORMAT;
+  if (epsilon < 0 || epsilon > FC_COORDINATE_MAX || !load(&hit->position, surface.point)) return FC_ERR_COORDINATE;
+  FC_READ(&scene, scene_rom, sizeof scene);
+  space.scene = &scene;
+  space.memory = NULL;
+  if (hit->primitive == NO_PRIMITIVE) return FC_ERR_INDEX;
+  fc_cursor_find(&surface.at, &space, hit->primitive, &index);
+  if (index >= surface.at.group.shapes.count) return FC_ERR_INDEX;
+  surface.at.kind.fetch(&surface.at.group, index, &surface.form);
+  surface.inside = hit->inside;
+  /* normal_q30 is turned to the ray's side; a surface's own normal is not */
+  surface.normal[0] = hit->inside ? -hit->normal_q30.x : hit->normal_q30.x;
+  surface.normal[1] = hit->inside ? -hit->normal_q30.y : hit->normal_q30.y;
+  surface.normal[2] = hit->inside ? -hit->normal_q30.z : hit->normal_q30.z;
+  fc_surface_offset(&surface, rule, epsilon, moved);
+  point->x = clamp(moved[0]);
+  point->y = clamp(moved[1]);
+  point->z = clamp(moved[2]);
+  return FC_OK;
+}

@@ -1,0 +1,52 @@
+/*
+ * The open segment from a surface point to a light, in a form that filters and exact fallbacks share.
+ *
+ * The point is exact as origin + t direction with t a root; `point` is its rounding. Only when a filter cannot
+ * decide on the rounding is the exact point spelled out: m P = u + v sqrt(d) with whole numbers.
+ */
+#ifndef FC_SEGMENT_H
+#define FC_SEGMENT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "root.h"
+#include "wide.h"
+
+/* Grid units throughout. */
+typedef struct fc_segment {
+  int64_t light[3];         /* exact, below 2^63 */
+  int64_t point[3];         /* rounded, below 2^60 */
+  uint8_t point_error;      /* per axis: 0 (the point is exact) or 1 */
+  bool point_valid;         /* false: too far away for `point`; only the exact form holds */
+  const fc_root *root;      /* NULL: `point` is the exact point */
+  const int64_t *origin, *direction; /* with root */
+} fc_segment;
+
+/* Rounds origin + t direction to the grid. Returns false when it lies beyond 2^56 units: then the point is only
+ * a stand-in far out in the right direction. */
+bool fc_point_at(fc_num t, const int64_t origin[3], const int64_t direction[3], int64_t point[3]);
+
+/* m P = u + v sqrt(d). */
+typedef struct fc_exact_point {
+  fc_wide u[3], v[3], m, d;
+} fc_exact_point;
+
+void fc_exact_point_of(fc_exact_point *p, const fc_segment *segment);
+
+/* Sign of k - n . P for a plane n . x = k: which side the point is on. */
+int8_t fc_side_of_point(const fc_segment *segment, const int64_t n[3], fc_i128 k);
+
+/* Moves a point within 1 unit an axis of the plane n . x = k to its front (n . x > k) or, with `behind`, its back, along
+ * the dominant axis of n. |n| below 2^63, n . x below 2^97. */
+void fc_step_off_plane(const int64_t n[3], fc_i128 k, bool behind, int64_t point[3]);
+
+/* |a.x| + |a.y| + |a.z| */
+fc_i128 fc_norm1(const int64_t a[3]);
+
+void fc_cross(const int64_t a[3], const int64_t b[3], int64_t r[3]);
+
+/* Bits of the largest component. */
+uint8_t fc_vector_bits(const int64_t a[3]);
+
+#endif

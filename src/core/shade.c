@@ -1,0 +1,116 @@
+/* Lambert's law over exact visibility of the lights. */
+#include "shade.h"
+
+#include "bits.h"
+#include "pixel.h"
+
+void fc_surface_offset(const fc_surface *surface, int rule, int64_t epsilon, int64_t point[3]) {
+  uint8_t i;
+  for (i = 0; i < 3; i++) point[i] = surface->point[i];
+  if (rule == FC_OFFSET_RESIDUAL) {
+    surface->at.kind.step_off(&surface->form, surface->inside, point);
+  } else if (rule == FC_OFFSET_EPSILON) {
+    const int64_t *n = surface->normal;
+    fc_num length = fc_num_from_u64(0, 0);
+    for (i = 0; i < 3; i++) {
+      fc_num c = fc_num_from_u64(fc_abs64(n[i]), 0);
+      length = fc_num_add(length, fc_num_mul(c, c));
+    }
+    length = fc_num_sqrt(length);
+    if (length.m == 0) return;
+    for (i = 0; i < 3; i++) {
+      fc_num c = fc_num_mul(fc_num_from_u64(fc_abs64(n[i]), 0), fc_num_from_u64((uint64_t)epsilon, 0));
+      int64_t step = (int64_t)fc_num_round(fc_num_div(c, length), 0);
+      point[i] += (n[i] < 0) != surface->inside ? -step : step;
+    }
+  }
+}
+
+/* v floored to at most 30 bits; returns the shift. */
+static uint8_t shrink(const int64_t v[3], int64_t r[3]) {
+  uint8_t bits = fc_vector_bits(v), shift = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
+  for (i = 0; i < 3; i++) r[i] = fc_floor_shift64(v[i], shift);
+  return shift;
+}
+
+/* 30-bit components: below 2^62. */
+static int64_t dot(const int64_t a[3], const int64_t b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/* cos (n, L - P), divided by the squared distance in world units when the light falls off, times 2^24. */
+static uint32_t irradiance_q24(const fc_frame *frame, const fc_surface *surface, const fc_light *light,
+                               const int64_t position[3]) {
+  int64_t v[3], n[3], along;
+  uint8_t i, v_shift;
+  fc_num value, square;
+  uint64_t q;
+  for (i = 0; i < 3; i++) v[i] = position[i] - surface->point[i];
+  v_shift = shrink(v, v);
+  (void)shrink(surface->normal, n);
+  along = dot(n, v);
+  if (surface->inside) along = -along;
+  if (along <= 0) return 0; /* grazing, and the rounded vectors say so */
+  square = fc_num_from_u64((uint64_t)dot(v, v), 0);
+  value = fc_num_mul(fc_num_from_u64((uint64_t)dot(n, n), 0), square);
+  value = fc_num_div(fc_num_from_u64((uint64_t)along, 0), fc_num_sqrt(value));
+  if (light->inverse_square) {
+    int32_t unit = (int32_t)frame->view.shift - frame->view.fine + frame->scene.exponent - 16 + v_shift;
+    value = fc_num_div(value, fc_num_scale(square, 2 * unit));
+  }
+  q = fc_num_round(value, 24 + light->intensity_exponent);
+  return q > UINT32_MAX ? UINT32_MAX : (uint32_t)q;
+}
+
+static bool reached(const fc_frame *frame, const fc_space *space, const fc_surface *surface, fc_segment *segment) {
+  segment->root = &surface->root;
+  segment->origin = surface->origin;
+  segment->direction = surface->direction;
+  segment->point_error = 1;
+  segment->point_valid = surface->point_valid;
+  segment->point[0] = surface->point[0];
+  segment->point[1] = surface->point[1];
+  segment->point[2] = surface->point[2];
+  if (!surface->at.kind.facing(&surface->form, &surface->prepared, segment)) return false;
+  if (frame->options.offset_rule == FC_OFFSET_EXACT)
+    return !fc_space_blocked(space, segment, surface->primitive);
+  segment->root = NULL;
+  segment->point_error = 0;
+  segment->point_valid = true;
+  fc_surface_offset(surface, frame->options.offset_rule, frame->epsilon_grid, segment->point);
+  return !fc_space_blocked(space, segment, FC_PRIMITIVES_MAX);
+}
+
+void fc_shade(const fc_frame *frame, const fc_space *space, const fc_surface *surface, uint8_t rgb[3], uint32_t *lit) {
+  /* light arriving a channel, Q39: 16 + 32 bits a light, 65535 lights and ambient: below 2^64 */
+  uint64_t sum[3];
+  fc_material material;
+  const fc_scene *scene = &frame->scene;
+  uint16_t i;
+  uint8_t j;
+  uint16_t diffuse[3];
+  FC_READ(&material, scene->materials + surface->form.material, sizeof material);
+  diffuse[0] = material.diffuse.r;
+  diffuse[1] = material.diffuse.g;
+  diffuse[2] = material.diffuse.b;
+  sum[0] = (uint64_t)scene->ambient.r << 24;
+  sum[1] = (uint64_t)scene->ambient.g << 24;
+  sum[2] = (uint64_t)scene->ambient.b << 24;
+  *lit = 0;
+  for (i = 0; i < scene->light_count; i++) {
+    fc_light light;
+    fc_segment segment;
+    uint32_t q24;
+    const int64_t *position = frame->lights + 3 * (size_t)i;
+    for (j = 0; j < 3; j++) segment.light[j] = position[j];
+    if (!reached(frame, space, surface, &segment)) continue;
+    *lit |= UINT32_C(1) << (i < 31 ? i : 31);
+    FC_READ(&light, scene->lights + i, sizeof light);
+    q24 = irradiance_q24(frame, surface, &light, position);
+    sum[0] += (uint64_t)light.intensity.r * q24;
+    sum[1] += (uint64_t)light.intensity.g * q24;
+    sum[2] += (uint64_t)light.intensity.b * q24;
+  }
+  for (j = 0; j < 3; j++) {
+    uint64_t q24 = (sum[j] + (1u << 14)) >> 15;
+    rgb[j] = fc_pixel_level(diffuse[j], q24 > UINT32_MAX ? UINT32_MAX : (uint32_t)q24);
+  }
+}

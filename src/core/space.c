@@ -1,0 +1,112 @@
+/* Tables of a scene: checks, cursors and single primitives. */
+#include "space.h"
+
+#include "bits.h"
+#include "fixcast/error.h"
+
+void fc_cursor_start(fc_cursor *cursor, const fc_space *space) {
+  cursor->space = space;
+  cursor->table = 0;
+  cursor->bytes = 0;
+  cursor->group.shapes.count = 0;
+  cursor->group.first = 0;
+}
+
+bool fc_cursor_next(fc_cursor *cursor) {
+  const fc_space *space = cursor->space;
+  if (cursor->table > 0) cursor->bytes += cursor->kind.memory(&cursor->group.shapes);
+  if (cursor->table == space->scene->shape_count) return false;
+  cursor->group.first = (uint16_t)(cursor->group.first + cursor->group.shapes.count);
+  FC_READ(&cursor->group.shapes, space->scene->shapes + cursor->table, sizeof cursor->group.shapes);
+  FC_READ(&cursor->kind, cursor->group.shapes.kind, sizeof cursor->kind);
+  cursor->group.memory = space->memory == NULL ? NULL : (const unsigned char *)space->memory + cursor->bytes;
+  cursor->table++;
+  return true;
+}
+
+void fc_cursor_find(fc_cursor *cursor, const fc_space *space, uint16_t primitive, uint16_t *index) {
+  fc_cursor_start(cursor, space);
+  while (fc_cursor_next(cursor))
+    if (primitive - cursor->group.first < cursor->group.shapes.count) break;
+  *index = (uint16_t)(primitive - cursor->group.first);
+}
+
+static int check_light(const fc_scene *scene, uint16_t index) {
+  fc_light light;
+  FC_READ(&light, scene->lights + index, sizeof light);
+  if (fc_abs32(light.position.x) > (uint32_t)FC_COORDINATE_MAX ||
+      fc_abs32(light.position.y) > (uint32_t)FC_COORDINATE_MAX ||
+      fc_abs32(light.position.z) > (uint32_t)FC_COORDINATE_MAX)
+    return FC_ERR_COORDINATE;
+  if (light.exponent < -31 || light.exponent > 32 || light.intensity_exponent < -40 || light.intensity_exponent > 40)
+    return FC_ERR_EXPONENT;
+  return FC_OK;
+}
+
+int fc_scene_check(const fc_scene *scene_rom) {
+  fc_scene scene;
+  uint32_t primitives = 0;
+  uint16_t i;
+  if (scene_rom == NULL) return FC_ERR_NULL;
+  FC_READ(&scene, scene_rom, sizeof scene);
+  if ((scene.shapes == NULL && scene.shape_count > 0) || (scene.materials == NULL && scene.material_count > 0) ||
+      (scene.lights == NULL && scene.light_count > 0))
+    return FC_ERR_NULL;
+  if (scene.exponent < -60 || scene.exponent > 60 || scene.far_exponent < -31 || scene.far_exponent > 32)
+    return FC_ERR_EXPONENT;
+  if (scene.far_limit < 0 || scene.far_limit > FC_COORDINATE_MAX) return FC_ERR_COORDINATE;
+  for (i = 0; i < scene.shape_count; i++) {
+    fc_shapes shapes;
+    fc_kind kind;
+    int error;
+    FC_READ(&shapes, scene.shapes + i, sizeof shapes);
+    if (shapes.kind == NULL || (shapes.items == NULL && shapes.count > 0)) return FC_ERR_NULL;
+    primitives += shapes.count;
+    if (primitives > FC_PRIMITIVES_MAX) return FC_ERR_COUNT;
+    FC_READ(&kind, shapes.kind, sizeof kind);
+    error = kind.check(&scene, &shapes);
+    if (error != FC_OK) return error;
+  }
+  for (i = 0; i < scene.light_count; i++) {
+    int error = check_light(&scene, i);
+    if (error != FC_OK) return error;
+  }
+  return FC_OK;
+}
+
+bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t skip) {
+  fc_cursor cursor;
+  fc_cursor_start(&cursor, space);
+  while (fc_cursor_next(&cursor)) {
+    uint16_t i;
+    for (i = 0; i < cursor.group.shapes.count; i++) {
+      fc_form form;
+      if ((uint16_t)(cursor.group.first + i) == skip) continue;
+      cursor.kind.fetch(&cursor.group, i, &form);
+      if (cursor.kind.blocked(&form, segment)) return true;
+    }
+  }
+  return false;
+}
+
+bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primitive, const int64_t origin[3],
+                     const int64_t direction[3]) {
+  fc_root root[2];
+  uint16_t index;
+  fc_cursor_find(&surface->at, space, primitive, &index);
+  surface->primitive = primitive;
+  surface->origin = origin;
+  surface->direction = direction;
+  surface->at.kind.fetch(&surface->at.group, index, &surface->form);
+  surface->at.kind.prepare(&surface->form, origin, &surface->prepared);
+  if (surface->at.kind.test(&surface->prepared, direction, root) == 0) return false;
+  surface->root = root[0];
+  return true;
+}
+
+void fc_surface_complete(fc_surface *surface) {
+  surface->point_valid =
+      fc_point_at(fc_root_value(&surface->root), surface->origin, surface->direction, surface->point);
+  surface->inside =
+      surface->at.kind.normal(&surface->form, &surface->prepared, surface->point, surface->normal);
+}

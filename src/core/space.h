@@ -1,0 +1,64 @@
+/* Walking a scene's tables, in world coordinates or in the camera space of a frame. */
+#ifndef FC_SPACE_H
+#define FC_SPACE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "fixcast/scene.h"
+#include "kind.h"
+
+/* Where geometry is read from. */
+typedef struct fc_space {
+  const fc_scene *scene; /* in RAM */
+  const void *memory;    /* camera-space copies of all tables in order; NULL: world coordinates */
+} fc_space;
+
+/* One table at a time: declare, fc_cursor_start, then while (fc_cursor_next(&cursor)). */
+typedef struct fc_cursor {
+  const fc_space *space;
+  uint16_t table;
+  size_t bytes; /* camera-space memory of the tables before this one */
+  fc_kind kind;
+  fc_group group;
+} fc_cursor;
+
+void fc_cursor_start(fc_cursor *cursor, const fc_space *space);
+bool fc_cursor_next(fc_cursor *cursor);
+
+/* Opens the table that holds a primitive; *index is its place there. The primitive must exist. */
+void fc_cursor_find(fc_cursor *cursor, const fc_space *space, uint16_t primitive, uint16_t *index);
+
+/* Whether the open segment meets any primitive but `skip` (0xffff: none is skipped). */
+bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t skip);
+
+/* A surface point: a primitive, a ray and the root where they meet. */
+typedef struct fc_surface {
+  fc_cursor at; /* the primitive's table */
+  fc_form form;
+  fc_prepared prepared;
+  fc_root root;
+  const int64_t *origin, *direction;
+  int64_t point[3];  /* rounded */
+  int64_t normal[3]; /* any length, not yet turned to the ray's side */
+  uint16_t primitive;
+  bool point_valid;
+  bool inside;
+} fc_surface;
+
+/* Opens a primitive and meets it with a ray; false when it is missed. */
+bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primitive, const int64_t origin[3],
+                     const int64_t direction[3]);
+
+/* Rounds the point and finds the normal. */
+void fc_surface_complete(fc_surface *surface);
+
+/* The primitive that a ray meets first (equal t: the lowest number), 0xffff for none. With `nearest`, only roots
+ * within t_min < t < t_max count, and the first is stored there; without, t > 0 is all that is asked. */
+uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const int64_t direction[3], uint64_t t_min_q32,
+                          uint64_t t_max_q32, fc_root *nearest);
+
+/* Values of a completed surface, in the space's own axes and units. */
+void fc_surface_hit(const fc_surface *surface, fc_hit *hit);
+
+#endif

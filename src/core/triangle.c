@@ -1,0 +1,334 @@
+/* Triangles: watertight edge signs, homogeneous in the vertices, so nothing is clipped. */
+#include "bits.h"
+#include "fixcast/error.h"
+#include "kind.h"
+#include "view.h"
+
+typedef struct placed_vertex {
+  int32_t p[3];
+} placed_vertex;
+
+static void read_item(const fc_shapes *shapes, uint16_t index, fc_triangle *triangle) {
+  FC_READ(triangle, (const fc_triangle *)shapes->items + index, sizeof *triangle);
+}
+
+static void read_vertex(const fc_shapes *shapes, uint16_t index, fc_vec3 *v) {
+  FC_READ(v, shapes->vertices + index, sizeof *v);
+}
+
+static int check(const fc_scene *scene, const fc_shapes *shapes) {
+  uint16_t i;
+  if (shapes->vertices == NULL && shapes->vertex_count > 0) return FC_ERR_NULL;
+  for (i = 0; i < shapes->vertex_count; i++) {
+    fc_vec3 v;
+    read_vertex(shapes, i, &v);
+    if (fc_abs32(v.x) > (uint32_t)FC_COORDINATE_MAX || fc_abs32(v.y) > (uint32_t)FC_COORDINATE_MAX ||
+        fc_abs32(v.z) > (uint32_t)FC_COORDINATE_MAX)
+      return FC_ERR_COORDINATE;
+  }
+  for (i = 0; i < shapes->count; i++) {
+    fc_triangle t;
+    read_item(shapes, i, &t);
+    if (t.vertex[0] >= shapes->vertex_count || t.vertex[1] >= shapes->vertex_count ||
+        t.vertex[2] >= shapes->vertex_count || t.material >= scene->material_count)
+      return FC_ERR_INDEX;
+  }
+  return FC_OK;
+}
+
+static size_t memory(const fc_shapes *shapes) {
+  size_t bytes = (size_t)shapes->vertex_count * sizeof(placed_vertex);
+  return (bytes + 7) / 8 * 8;
+}
+
+static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
+  fc_num most = {0, 0};
+  uint16_t i;
+  for (i = 0; i < shapes->vertex_count; i++) {
+    fc_vec3 v;
+    int64_t offset[3];
+    fc_num distance;
+    read_vertex(shapes, i, &v);
+    fc_view_offset(view, &v, offset);
+    distance = fc_length(offset);
+    if (fc_num_compare(distance, most) > 0) most = distance;
+  }
+  return most;
+}
+
+static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
+  placed_vertex *placed = to;
+  uint16_t i;
+  for (i = 0; i < shapes->vertex_count; i++) {
+    fc_vec3 v;
+    int64_t p[3];
+    read_vertex(shapes, i, &v);
+    (void)fc_view_point(view, &v, 0, p); /* within range: the grid was chosen for it */
+    placed[i].p[0] = (int32_t)p[0];
+    placed[i].p[1] = (int32_t)p[1];
+    placed[i].p[2] = (int32_t)p[2];
+  }
+}
+
+static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
+  fc_triangle t;
+  uint8_t i;
+  read_item(&group->shapes, index, &t);
+  form->material = t.material;
+  form->object = t.object;
+  for (i = 0; i < 3; i++) {
+    int64_t *to = form->u.triangle.vertex[i];
+    if (group->memory != NULL) {
+      const placed_vertex *v = (const placed_vertex *)group->memory + t.vertex[i];
+      to[0] = v->p[0];
+      to[1] = v->p[1];
+      to[2] = v->p[2];
+    } else {
+      fc_vec3 v;
+      read_vertex(&group->shapes, t.vertex[i], &v);
+      to[0] = v.x;
+      to[1] = v.y;
+      to[2] = v.z;
+    }
+  }
+}
+
+static uint8_t next(uint8_t i) { return i == 2 ? 0 : (uint8_t)(i + 1); }
+
+static void subtract(const int64_t a[3], const int64_t b[3], int64_t r[3]) {
+  r[0] = a[0] - b[0];
+  r[1] = a[1] - b[1];
+  r[2] = a[2] - b[2];
+}
+
+/* (B - A) x (C - A): edges below 2^31, so each component is below 2^63. */
+static void face_normal(const fc_form *form, int64_t n[3]) {
+  int64_t ab[3], ac[3];
+  subtract(form->u.triangle.vertex[1], form->u.triangle.vertex[0], ab);
+  subtract(form->u.triangle.vertex[2], form->u.triangle.vertex[0], ac);
+  fc_cross(ab, ac, n);
+}
+
+/* n shrunk to at most 30 bits by floor; *shift is what was dropped. */
+static void shrink(const int64_t n[3], int64_t r[3], uint8_t *shift) {
+  uint8_t bits = fc_vector_bits(n), i;
+  *shift = bits > 30 ? (uint8_t)(bits - 30) : 0;
+  for (i = 0; i < 3; i++) r[i] = fc_floor_shift64(n[i], *shift);
+}
+
+static int64_t norm1(const int64_t v[3]) { return (int64_t)(fc_abs64(v[0]) + fc_abs64(v[1]) + fc_abs64(v[2])); }
+
+static void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
+  int64_t v[3][3];
+  uint8_t i, j;
+  for (i = 0; i < 3; i++) subtract(form->u.triangle.vertex[i], origin, v[i]); /* below 2^31 */
+  for (i = 0; i < 3; i++) {
+    int64_t small[3];
+    uint8_t shift;
+    fc_cross(v[i], v[next(i)], prepared->u.triangle.edge[i]); /* below 2^63 */
+    shrink(prepared->u.triangle.edge[i], small, &shift);
+    for (j = 0; j < 3; j++) prepared->u.triangle.filter[i][j] = (int32_t)small[j];
+  }
+  face_normal(form, prepared->u.triangle.normal);
+  prepared->u.triangle.side = fc_i128_dot(prepared->u.triangle.normal, v[0]); /* 63 + 31 + 2 bits */
+}
+
+/* The sign of N . D; 0 is settled by nudging D by (e, e^2, e^3) with e infinitely small, which is the same for both
+ * triangles that share the edge: one of them owns the ray. */
+static int8_t edge_sign(const fc_prepared *prepared, uint8_t i, const int64_t d[3], int64_t reach) {
+  /* Filter: floor(N / 2^s) is short of N / 2^s by less than 1 a component, so the sum is off by less than |D|_1.
+   * 30 + 30 bits, three terms: below 2^62. */
+  const int32_t *f = prepared->u.triangle.filter[i];
+  const int64_t *n = prepared->u.triangle.edge[i];
+  int64_t quick = f[0] * d[0] + f[1] * d[1] + f[2] * d[2];
+  int8_t sign;
+  if (quick >= reach) return 1;
+  if (quick <= -reach) return -1;
+  sign = fc_i128_sign(fc_i128_dot(n, d)); /* 63 + 30 + 2 bits */
+  if (sign == 0) sign = fc_sign64(n[0]);
+  if (sign == 0) sign = fc_sign64(n[1]);
+  if (sign == 0) sign = fc_sign64(n[2]);
+  return sign;
+}
+
+static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
+  int64_t reach = norm1(direction);
+  int8_t side = fc_i128_sign(prepared->u.triangle.side);
+  fc_i128 along;
+  if (side == 0 || edge_sign(prepared, 0, direction, reach) != side || edge_sign(prepared, 1, direction, reach) != side ||
+      edge_sign(prepared, 2, direction, reach) != side)
+    return 0;
+  /* The edge forms add up to normal . direction, which therefore has the sign of `side` too. */
+  along = fc_i128_dot(prepared->u.triangle.normal, direction);
+  if (fc_i128_sign(along) != side) return 0;
+  root[0].p = fc_i128_abs(prepared->u.triangle.side);
+  root[0].m = fc_i128_abs(along);
+  root[0].d = root[0].c = fc_i128_from(0);
+  root[0].q = 0;
+  return 1;
+}
+
+/* Edge signs of the line from the light through the exact point: is it inside the closed triangle? */
+static bool exact_pierces(const fc_form *form, const fc_segment *segment) {
+  fc_exact_point p;
+  fc_wide w[3];
+  int8_t seen = 0;
+  uint8_t i, j;
+  fc_exact_point_of(&p, segment);
+  for (j = 0; j < 3; j++) {
+    fc_wide_mul_i64(&w[j], &p.m, segment->light[j]);
+    fc_wide_sub(&w[j], &p.u[j], &w[j]);
+  }
+  for (i = 0; i < 3; i++) {
+    int64_t a[3], e[3];
+    fc_wide n[3], x, y;
+    int8_t sign;
+    subtract(form->u.triangle.vertex[i], segment->light, a);
+    subtract(form->u.triangle.vertex[next(i)], form->u.triangle.vertex[i], e);
+    for (j = 0; j < 3; j++) {
+      uint8_t k = next(j), l = next(k);
+      /* 62 + 31 bits, two products */
+      fc_wide_from(&n[j], fc_i128_sub(fc_i128_mul(a[k], e[l]), fc_i128_mul(a[l], e[k])));
+    }
+    fc_wide_dot(&x, n, w);
+    fc_wide_dot(&y, n, p.v);
+    sign = fc_surd_sign(&x, &y, &p.d);
+    if (sign * seen < 0) return false;
+    if (sign != 0) seen = sign;
+  }
+  return true;
+}
+
+/* The same by filter: 1 inside, 0 outside, -1 undecided. */
+static int8_t quick_pierces(const fc_form *form, const fc_segment *segment) {
+  int64_t w[3], length, whole[3];
+  uint8_t unit = 0, bits, i, j;
+  int64_t e_a, e_w;
+  int8_t seen = 0;
+  if (!segment->point_valid) return -1;
+  subtract(segment->point, segment->light, whole);
+  /* Units of 2^unit bring light and point below 2^30, and their differences below 2^31. */
+  bits = fc_vector_bits(segment->light);
+  if (fc_vector_bits(segment->point) > bits) bits = fc_vector_bits(segment->point);
+  if (bits > 30) unit = (uint8_t)(bits - 30);
+  e_a = unit > 0;
+  e_w = e_a + segment->point_error;
+  for (j = 0; j < 3; j++) w[j] = fc_floor_shift64(whole[j], unit);
+  length = norm1(w);
+  for (i = 0; i < 3; i++) {
+    int64_t a[3], e[3], n[3], small[3], e_n, value, error;
+    uint8_t shift;
+    int8_t sign;
+    subtract(form->u.triangle.vertex[i], segment->light, a);
+    for (j = 0; j < 3; j++) a[j] = fc_floor_shift64(a[j], unit);
+    subtract(form->u.triangle.vertex[next(i)], form->u.triangle.vertex[i], e);
+    fc_cross(a, e, n); /* 31 + 31 bits, two products: below 2^63 */
+    shrink(n, small, &shift);
+    /* a is short by less than e_a an axis: n is off by less than e_a |e|_1; then the cut */
+    e_n = (shift > 0) + (e_a != 0 ? (norm1(e) >> shift) + 1 : 0);
+    if (e_n >= (INT64_C(1) << 24)) return -1;
+    /* 30 + 31 bits, three terms: below 2^63; the error's terms below 2^58 */
+    value = small[0] * w[0] + small[1] * w[1] + small[2] * w[2];
+    error = e_n * length + (norm1(small) + 3 * e_n) * e_w;
+    if ((int64_t)fc_abs64(value) <= error && error != 0) return -1;
+    sign = fc_sign64(value);
+    if (sign * seen < 0) return 0;
+    if (sign != 0) seen = sign;
+  }
+  return 1;
+}
+
+/* Whether the boxes around the segment and the triangle are apart: cheap, and most triangles are. */
+static bool apart(const fc_form *form, const fc_segment *segment) {
+  uint8_t j;
+  if (!segment->point_valid) return false;
+  for (j = 0; j < 3; j++) {
+    int64_t a = form->u.triangle.vertex[0][j], b = form->u.triangle.vertex[1][j], c = form->u.triangle.vertex[2][j];
+    int64_t low = segment->point[j] - segment->point_error, high = segment->point[j] + segment->point_error;
+    if (segment->light[j] < low) low = segment->light[j];
+    if (segment->light[j] > high) high = segment->light[j];
+    if ((a < low && b < low && c < low) || (a > high && b > high && c > high)) return true;
+  }
+  return false;
+}
+
+/* Sign of normal . (A - light): 63 + 62 bits, three products below 2^127. */
+static int8_t side_of_light(const fc_form *form, const fc_segment *segment, const int64_t n[3]) {
+  int64_t a[3];
+  subtract(form->u.triangle.vertex[0], segment->light, a);
+  return fc_i128_sign(fc_i128_dot(n, a));
+}
+
+static bool blocked(const fc_form *form, const fc_segment *segment) {
+  int64_t n[3];
+  int8_t light, inside;
+  if (apart(form, segment)) return false;
+  inside = quick_pierces(form, segment);
+  if (inside == 0) return false;
+  face_normal(form, n);
+  light = side_of_light(form, segment, n);
+  if (light == 0 || fc_side_of_point(segment, n, fc_i128_dot(n, form->u.triangle.vertex[0])) != -light) return false;
+  return inside == 1 || exact_pierces(form, segment);
+}
+
+static bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
+  return fc_i128_sign(prepared->u.triangle.side) * side_of_light(form, segment, prepared->u.triangle.normal) > 0;
+}
+
+static bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
+  uint8_t i;
+  (void)form;
+  (void)point;
+  for (i = 0; i < 3; i++) n[i] = prepared->u.triangle.normal[i];
+  return fc_i128_sign(prepared->u.triangle.side) > 0;
+}
+
+static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
+  int64_t n[3];
+  face_normal(form, n);
+  fc_step_off_plane(n, fc_i128_dot(n, form->u.triangle.vertex[0]), inside, point);
+}
+
+static void weights(const fc_prepared *prepared, const int64_t direction[3], uint32_t weight_q30[3]) {
+  /* vertex i is opposite edge i + 1; the edge forms add up to normal . direction */
+  fc_num whole = fc_num_from_abs(fc_i128_dot(prepared->u.triangle.normal, direction));
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    fc_num part = fc_num_from_abs(fc_i128_dot(prepared->u.triangle.edge[next(i)], direction));
+    weight_q30[i] = (uint32_t)fc_num_round(fc_num_div(part, whole), 30);
+  }
+}
+
+static bool window(const fc_frame *frame, const fc_form *form, fc_window *box) {
+  uint8_t i, behind = 0;
+  for (i = 0; i < 3; i++) behind = (uint8_t)(behind + (form->u.triangle.vertex[i][2] <= 0));
+  if (behind == 3) return false;
+  if (behind > 0) return true;
+  for (i = 0; i < 3; i++) {
+    const int64_t *v = form->u.triangle.vertex[i];
+    int32_t x = fc_view_project(frame, 0, v[0], v[2]), y = fc_view_project(frame, 1, v[1], v[2]);
+    if (i == 0 || x - 1 < box->x0) box->x0 = x - 1;
+    if (i == 0 || x + 1 > box->x1) box->x1 = x + 1;
+    if (i == 0 || y - 1 < box->y0) box->y0 = y - 1;
+    if (i == 0 || y + 1 > box->y1) box->y1 = y + 1;
+  }
+  return true;
+}
+
+static bool depth_range(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far) {
+  int64_t low = form->u.triangle.vertex[0][2], high = low;
+  uint8_t i;
+  (void)frame;
+  for (i = 1; i < 3; i++) {
+    int64_t z = form->u.triangle.vertex[i][2];
+    if (z < low) low = z;
+    if (z > high) high = z;
+  }
+  if (high <= 0) return false;
+  *near = low > 0 ? (uint64_t)low : 0;
+  *far = (uint64_t)high;
+  return true;
+}
+
+const fc_kind fc_kind_triangle FC_ROM = {check,   memory, extent, place,    fetch,  prepare,    test,
+                                         blocked, facing, normal, step_off, weights, window, depth_range};

@@ -1,0 +1,179 @@
+/* Camera set-up: exact cross products, correctly scaled unit rows, and the projection of coordinates. */
+#include "view.h"
+
+#include "bits.h"
+#include "fixcast/error.h"
+#include "segment.h"
+
+/* Rounds v / length to Q30, |v| <= length. */
+static int32_t unit_q30(fc_i128 v, fc_num length) {
+  int32_t q = (int32_t)fc_num_round(fc_num_div(fc_num_from_abs(v), length), 30);
+  return fc_i128_sign(v) < 0 ? -q : q;
+}
+
+fc_num fc_length(const int64_t v[3]) {
+  /* components below 2^63: squares below 2^126 as values, no overflow */
+  fc_num sum = {0, 0};
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    fc_num a = fc_num_from_u64(fc_abs64(v[i]), 0);
+    sum = fc_num_add(sum, fc_num_mul(a, a));
+  }
+  return fc_num_sqrt(sum);
+}
+
+static bool within_range(const fc_vec3 *v) {
+  return fc_abs32(v->x) <= (uint32_t)FC_COORDINATE_MAX && fc_abs32(v->y) <= (uint32_t)FC_COORDINATE_MAX &&
+         fc_abs32(v->z) <= (uint32_t)FC_COORDINATE_MAX;
+}
+
+static int set_rows(fc_view *view, const fc_camera *camera) {
+  int64_t f[3], u[3], r[3];
+  fc_num f_length, r_length;
+  uint8_t i;
+  if (!within_range(&camera->eye) || !within_range(&camera->target) || !within_range(&camera->up))
+    return FC_ERR_COORDINATE;
+  f[0] = (int64_t)camera->target.x - camera->eye.x;
+  f[1] = (int64_t)camera->target.y - camera->eye.y;
+  f[2] = (int64_t)camera->target.z - camera->eye.z;
+  u[0] = camera->up.x;
+  u[1] = camera->up.y;
+  u[2] = camera->up.z;
+  if ((f[0] | f[1] | f[2]) == 0) return FC_ERR_CAMERA_TARGET;
+  /* 31 + 30 bits, two products: below 2^62 */
+  fc_cross(f, u, r);
+  if ((r[0] | r[1] | r[2]) == 0) return FC_ERR_CAMERA_UP;
+  f_length = fc_length(f);
+  r_length = fc_length(r);
+  for (i = 0; i < 3; i++) {
+    /* up' = r x f: 62 + 31 bits, two products: below 2^94 */
+    uint8_t j = (uint8_t)((i + 1) % 3), k = (uint8_t)((i + 2) % 3);
+    fc_i128 up = fc_i128_sub(fc_i128_mul(r[j], f[k]), fc_i128_mul(r[k], f[j]));
+    view->row[0][i] = unit_q30(fc_i128_from(r[i]), r_length);
+    view->row[1][i] = unit_q30(up, fc_num_mul(r_length, f_length));
+    view->row[2][i] = unit_q30(fc_i128_from(f[i]), f_length);
+  }
+  return FC_OK;
+}
+
+static int set_eye(fc_view *view, const fc_camera *camera) {
+  int8_t e = camera->exponent;
+  if (e < -31 || e > 31) return FC_ERR_EXPONENT;
+  view->fine = (uint8_t)(e < 0 ? -e : 0);
+  /* 30 + 31 bits */
+  view->eye[0] = camera->eye.x * (INT64_C(1) << (e > 0 ? e : 0));
+  view->eye[1] = camera->eye.y * (INT64_C(1) << (e > 0 ? e : 0));
+  view->eye[2] = camera->eye.z * (INT64_C(1) << (e > 0 ? e : 0));
+  return FC_OK;
+}
+
+static int set_focal(fc_view *view, const fc_camera *camera, uint16_t width, uint16_t height) {
+  uint32_t span = width < height ? width : height;
+  uint32_t longest = width < height ? height : width;
+  uint64_t tan_max = (uint64_t)camera->tan_half_fov_denominator << 16;
+  fc_num focal, largest;
+  int32_t shift;
+  if (camera->fov_rule == FC_FOV_CENTRES)
+    span = span > 1 ? span - 1 : 1;
+  else if (camera->fov_rule != FC_FOV_EDGES)
+    return FC_ERR_FORMAT;
+  if (camera->tan_half_fov_numerator == 0 || camera->tan_half_fov_denominator == 0 ||
+      camera->tan_half_fov_numerator > tan_max ||
+      (uint64_t)camera->tan_half_fov_numerator << 16 < camera->tan_half_fov_denominator)
+    return FC_ERR_FIELD_OF_VIEW;
+  /* 12 + 32 bits; F = span / tan, in half pixels */
+  focal = fc_num_div(fc_num_from_u64((uint64_t)span * camera->tan_half_fov_denominator, 0),
+                     fc_num_from_u64(camera->tan_half_fov_numerator, 0));
+  largest = fc_num_from_u64(longest, 0);
+  if (fc_num_compare(focal, largest) > 0) largest = focal;
+  /* the largest component gets 29 bits: largest < 2^(e+63), so at most 2^29 after the shift and rounding */
+  shift = 29 - (largest.e + 63);
+  view->pixel_shift = (uint8_t)(shift < 0 ? 0 : shift);
+  view->focal = (int32_t)fc_num_round(focal, view->pixel_shift);
+  if (view->focal < 1) return FC_ERR_FIELD_OF_VIEW;
+  return FC_OK;
+}
+
+int fc_view_from_camera(fc_view *view, const fc_camera *camera, uint16_t width, uint16_t height) {
+  int error = set_rows(view, camera);
+  if (error == FC_OK) error = set_eye(view, camera);
+  if (error == FC_OK) error = set_focal(view, camera, width, height);
+  view->shift = 0;
+  return error;
+}
+
+void fc_view_offset(const fc_view *view, const fc_vec3 *v, int64_t offset[3]) {
+  /* 30 + 31 bits minus 61 bits: below 2^62 */
+  int64_t one = INT64_C(1) << view->fine;
+  offset[0] = v->x * one - view->eye[0];
+  offset[1] = v->y * one - view->eye[1];
+  offset[2] = v->z * one - view->eye[2];
+}
+
+bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponent, int64_t point[3]) {
+  int64_t p[3];
+  uint8_t i;
+  int16_t up = (int16_t)(exponent + view->fine); /* -31 .. 63 */
+  p[0] = v->x;
+  p[1] = v->y;
+  p[2] = v->z;
+  for (i = 0; i < 3; i++) {
+    int64_t row[3];
+    fc_i128 q;
+    row[0] = view->row[i][0];
+    row[1] = view->row[i][1];
+    row[2] = view->row[i][2];
+    /* A unit row times 30-bit coordinates: below 2^62 * 2^63 = 2^125; the eye 2^30 * 2^62 * sqrt 3 < 2^93. */
+    q = fc_i128_dot(row, p);
+    q = up >= 0 ? fc_i128_shift_left(q, (uint8_t)up) : fc_i128_round_shift(q, (uint8_t)-up);
+    q = fc_i128_round_shift(fc_i128_sub(q, fc_i128_dot(row, view->eye)), (uint8_t)(30 + view->shift));
+    if (fc_i128_bits(q) > 61) return false;
+    point[i] = fc_i128_to_i64(q);
+  }
+  return true;
+}
+
+static int32_t clamp_coordinate(fc_i128 v) {
+  fc_i128 limit = fc_i128_from(FC_COORDINATE_MAX);
+  if (fc_i128_compare(fc_i128_abs(v), limit) > 0)
+    return fc_i128_sign(v) < 0 ? -FC_COORDINATE_MAX : FC_COORDINATE_MAX;
+  return (int32_t)fc_i128_to_i64(v);
+}
+
+void fc_view_to_world(const fc_view *view, const int64_t point[3], fc_vec3 *v) {
+  int32_t out[3];
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    int64_t column[3];
+    fc_i128 q;
+    column[0] = view->row[0][i];
+    column[1] = view->row[1][i];
+    column[2] = view->row[2][i];
+    /* 60 + 30 bits, the shift at most 34 more */
+    q = fc_i128_dot(column, point);
+    q = fc_i128_round_shift(fc_i128_shift_left(q, (uint8_t)(30 + view->shift)), 60);
+    q = fc_i128_round_shift(fc_i128_add(q, fc_i128_from(view->eye[i])), view->fine);
+    out[i] = clamp_coordinate(q);
+  }
+  v->x = out[0];
+  v->y = out[1];
+  v->z = out[2];
+}
+
+void fc_view_direction(const fc_frame *frame, uint16_t x, uint16_t y, int64_t direction[3]) {
+  int64_t one = INT64_C(1) << frame->view.pixel_shift;
+  direction[0] = (2 * (int64_t)x + 1 - frame->width) * one;
+  direction[1] = (frame->height - 2 * (int64_t)y - 1) * one;
+  direction[2] = frame->view.focal;
+}
+
+int32_t fc_view_project(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z) {
+  /* Half pixels from the centre: a F / (z 2^pixel_shift), 32 + 30 bits over at least 1. A divisor beyond 62 bits would
+   * overflow: z below 2^31 and pixel_shift below 30 keep it within 61. */
+  int64_t half = a * frame->view.focal / (z * (INT64_C(1) << frame->view.pixel_shift));
+  int64_t pixel;
+  if (half > INT64_C(2000000)) half = INT64_C(2000000);
+  if (half < -INT64_C(2000000)) half = -INT64_C(2000000);
+  pixel = axis == 0 ? half + frame->width : frame->height - half;
+  return pixel < -4 ? -2 : (int32_t)(pixel / 2);
+}

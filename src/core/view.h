@@ -1,0 +1,34 @@
+/* From world to camera: orthonormal rows in Q30 and one rounding a coordinate. */
+#ifndef FC_VIEW_H
+#define FC_VIEW_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "fixcast/render.h"
+#include "i128.h"
+#include "num.h"
+
+/* Rows, eye and pixel directions from a camera (view->shift is set later); FC_OK or an error. */
+int fc_view_from_camera(fc_view *view, const fc_camera *camera, uint16_t width, uint16_t height);
+
+/* The world point v * 2^exponent in camera space, rounded to the camera grid; false when beyond 2^62 units. */
+bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponent, int64_t point[3]);
+
+/* A camera-space point (grid units, below 2^60) in world coordinates, rounded, clamped to the coordinates' range. */
+void fc_view_to_world(const fc_view *view, const int64_t point[3], fc_vec3 *v);
+
+/* The eye's offset to a world point in units of 2^-fine world coordinates, exact. */
+void fc_view_offset(const fc_view *view, const fc_vec3 *v, int64_t offset[3]);
+
+/* |v| as a value. */
+fc_num fc_length(const int64_t v[3]);
+
+/* Direction of the ray through pixel (x, y). */
+void fc_view_direction(const fc_frame *frame, uint16_t x, uint16_t y, int64_t direction[3]);
+
+/* floor of the column (axis 0, to the right) or row (axis 1, downwards) in which camera coordinates (a, z), z > 0, are
+ * seen, in pixels; within one pixel; clamped to -2 .. 2^20. a below 2^32. */
+int32_t fc_view_project(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z);
+
+#endif

@@ -1,0 +1,53 @@
+"""The core against the oracle, on every own scene: the guarantees about wrong pixels, colour and depth.
+
+compare.py SIMULATOR
+"""
+import sys
+
+from support import SCENES, Report, fixcast_json, scene_names
+
+# Half a step of the depth format with 13 mantissa bits, and a little for the rounding of what goes into it.
+DEPTH_LIMIT = 1.02 * 2**-14
+# From 80-digit arithmetic: the exact picture of S1 at 128x128.
+S1_PIXELS = {"0": 8150, "1": 1074, "2": 1036, "3": 878, "4": 5246}
+S1_UNLIT = 1171
+SCALES = ("1/64", "1/16", "1/4", "4", "16", "64")
+
+
+def check_scene(simulator, scene, report):
+    path = SCENES / f"{scene}.nff"
+    small = fixcast_json(simulator, "compare", path, "--size", "128x128")
+    print(f"{scene} 128x128: {small}", flush=True)
+    report.equal(f"{scene} 128x128 wrong_id", 0, small["wrong_id"])
+    report.equal(f"{scene} 128x128 wrong_shadow", 0, small["wrong_shadow"])
+    report.at_most(f"{scene} 128x128 colour_max", 1.0, small["colour_max"])
+    if scene in ("s1", "s1r"):
+        report.at_most(f"{scene} 128x128 colour_rmse", 0.35, small["colour_rmse"])
+        report.at_most(f"{scene} 128x128 depth_rel_max", DEPTH_LIMIT, small["depth_rel_max"])
+    if scene == "s1":
+        report.equal("s1 128x128 pixels_by_id", S1_PIXELS, small["pixels_by_id"])
+        report.equal("s1 128x128 unlit_pixels", S1_UNLIT, small["unlit_pixels"])
+
+    large = fixcast_json(simulator, "compare", path, "--size", "240x240")
+    print(f"{scene} 240x240: {large}", flush=True)
+    report.at_most(f"{scene} 240x240 wrong_id", 1, large["wrong_id"])
+    report.at_most(f"{scene} 240x240 wrong_shadow", 2, large["wrong_shadow"])
+
+
+def check_world_scale(simulator, report):
+    path = SCENES / "s1.nff"
+    crc = fixcast_json(simulator, "render", path, "--size", "128x128")["crc32"]
+    for scale in SCALES:
+        scaled = fixcast_json(simulator, "render", path, "--size", "128x128", "--world-scale", scale)
+        report.equal(f"CRC of s1 with --world-scale {scale}", crc, scaled["crc32"])
+
+
+def main(simulator):
+    report = Report()
+    for scene in scene_names():
+        check_scene(simulator, scene, report)
+    check_world_scale(simulator, report)
+    return report.finish()
+
+
+sys.exit(main(sys.argv[1]))

@@ -1,0 +1,136 @@
+"""Who may include whom: design by layers, enforced on the text of the sources.
+
+includes.py ROOT          checks a tree
+includes.py --self-test   proves on made-up trees that each rule is noticed when broken
+"""
+import pathlib
+import re
+import sys
+import tempfile
+
+from support import Report
+
+FREESTANDING = {"stdint.h", "stddef.h", "stdbool.h", "string.h", "limits.h"}
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:<([^>\n]+)>|"([^"\n]+)"|(\S.*))', re.M)
+COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.S)
+SUFFIXES = {".c", ".h", ".cpp", ".hpp", ".cc", ".S"}
+
+
+def includes_of(path):
+    """(line, name, is it <...>) of each include; an include of a macro is returned with its text and None."""
+    text = COMMENT.sub(lambda match: "\n" * match.group().count("\n"), path.read_text(errors="replace"))
+    for match in INCLUDE.finditer(text):
+        line = text.count("\n", 0, match.start()) + 1
+        if match.group(1) is not None:
+            yield line, match.group(1), True
+        elif match.group(2) is not None:
+            yield line, match.group(2), False
+        else:
+            yield line, match.group(3), None
+
+
+def own(name, directory):
+    """Whether a quoted name is a file of this directory itself."""
+    return "/" not in name and (directory / name).is_file()
+
+
+def reason(root, path, name, system):
+    """Why this file must not include this name, or None."""
+    parts = path.relative_to(root).parts
+    public = name.startswith("fixcast/") and (root / "include" / name).is_file()
+    if system is None:
+        return "an include must name its file"
+    if ".." in pathlib.PurePosixPath(name).parts:
+        return "an include must not climb out of its directory"
+    if name.startswith("fixcast/") and not public:
+        return "no such public header"
+
+    if parts[0] == "include":
+        if system and parts[-1] == "config.h" and name == "avr/pgmspace.h":
+            return None
+        return None if public or (system and name in FREESTANDING) else "public headers need only each other"
+    if parts[:2] == ("src", "core"):
+        if public or (system and name in FREESTANDING) or (not system and own(name, path.parent)):
+            return None
+        return "the core is freestanding and knows only itself"
+    if parts[:2] == ("src", "panel"):
+        if public or (system and name in FREESTANDING) or (not system and own(name, path.parent)):
+            return None
+        return "panels know public headers only: no port, no core internals"
+    if parts[:2] == ("src", "port"):
+        return None if system or public or own(name, path.parent) else "a port knows no other port and no internals"
+    if parts[0] == "host_sim":
+        if path.name.startswith("oracle") and public:
+            return "the oracle shares nothing with the core"
+        return None if system or public or own(name, path.parent) else "the simulator uses public headers only"
+    return None
+
+
+def check(root, report):
+    files = [path for top in ("include", "src", "host_sim") for path in sorted((root / top).rglob("*"))
+             if path.suffix in SUFFIXES]
+    for path in files:
+        report.checked += 1
+        for line, name, system in includes_of(path):
+            why = reason(root, path, name, system)
+            if why:
+                report.check(False, f"{path.relative_to(root)}:{line}: includes {name}: {why}")
+
+
+def self_test():
+    base = {
+        "include/fixcast/a.h": "#include <stdint.h>\n",
+        "include/fixcast/config.h": "#include <avr/pgmspace.h>\n",
+        "src/core/inner.h": "",
+        "src/core/core.c": '#include "inner.h"\n#include <string.h>\n#include "fixcast/a.h"\n',
+        "src/panel/panel.c": '#include "fixcast/a.h"\n',
+        "src/port/one/one.h": "",
+        "src/port/one/main.c": '#include "one.h"\n#include <linux/spi/spidev.h>\n',
+        "src/port/two/two.h": "",
+        "host_sim/main.cpp": '#include <vector>\n#include "fixcast/a.h"\n#include "oracle.h"\n',
+        "host_sim/oracle.h": "// #include \"fixcast/a.h\"\n",
+    }
+    broken = [
+        ("src/core/core.c", "#include <stdio.h>\n"),
+        ("src/core/core.c", "#include <math.h>\n"),
+        ("src/core/core.c", "#include <avr/pgmspace.h>\n"),
+        ("src/core/core.c", '#include "../panel/panel.h"\n'),
+        ("src/core/core.c", '#include "panel.h"\n'),
+        ("src/core/core.c", "# include HEADER\n"),
+        ("include/fixcast/a.h", "#include <stdlib.h>\n"),
+        ("include/fixcast/a.h", '#include "inner.h"\n'),
+        ("include/fixcast/a.h", '#include "fixcast/missing.h"\n'),
+        ("src/panel/panel.c", '#include "../core/inner.h"\n'),
+        ("src/panel/panel.c", '#include "inner.h"\n'),
+        ("src/panel/panel.c", '#include "one.h"\n'),
+        ("src/panel/panel.c", "#include <linux/spi/spidev.h>\n"),
+        ("src/port/one/main.c", '#include "two.h"\n'),
+        ("src/port/one/main.c", '#include "../two/two.h"\n'),
+        ("host_sim/main.cpp", '#include "inner.h"\n'),
+        ("host_sim/main.cpp", '#include "../src/core/inner.h"\n'),
+        ("host_sim/oracle.h", '#include "fixcast/a.h"\n'),
+    ]
+    for path, text in [(None, "")] + broken:
+        with tempfile.TemporaryDirectory() as directory:
+            root = pathlib.Path(directory)
+            for name, content in base.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(content + (text if name == path else ""))
+            report = Report()
+            check(root, report)
+            expected = 0 if path is None else 1
+            if len(report.wrong) != expected:
+                sys.exit(f"{path} with {text!r}: {len(report.wrong)} complaints, expected {expected}")
+    print("self-test passed: the failures above were meant")
+    return 0
+
+
+def main(arguments):
+    if arguments[0] == "--self-test":
+        return self_test()
+    report = Report()
+    check(pathlib.Path(arguments[0]), report)
+    return report.finish()
+
+
+sys.exit(main(sys.argv[1:]))
