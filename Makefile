@@ -2,6 +2,7 @@
 .DEFAULT_GOAL := help
 .PHONY: help build demo test golden-update clean
 BUILD := build
+MAKEFLAGS += --no-print-directory
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 CONFIGURE := cmake -S . -B $(BUILD) --log-level=WARNING
 
@@ -16,7 +17,7 @@ build: ## build the simulator, build/fixcast (installs what is missing with apt-
 
 demo: ## render three scenes into build/demo and print how exact they are
 	@.ci/install demo
-	@$(MAKE) --no-print-directory build
+	@$(MAKE) build
 	@python3 host_sim/demo.py $(BUILD)/fixcast $(BUILD)/demo
 
 test: ## build everything and run all tests, those on emulated chips too (some minutes)
@@ -27,7 +28,7 @@ test: ## build everything and run all tests, those on emulated chips too (some m
 
 golden-update: ## rewrite tests/golden/crc.txt from what the simulator renders now
 	@.ci/install demo
-	@$(MAKE) --no-print-directory build
+	@$(MAKE) build
 	@python3 tests/checks/golden.py --update $(BUILD)/fixcast
 
 clean: ## remove everything that was built

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "report.h"
+
 namespace host {
 namespace {
 
@@ -135,10 +137,10 @@ std::string bake(const CoreScene &core, std::size_t frame_memory_bytes, const st
   std::string text;
   text += "/*\n * Baked from " + printable(std::filesystem::path(source).filename().string()) +
           "; do not edit.\n *\n";
-  text += " * " + std::to_string(core.spheres.size()) + " spheres, " + std::to_string(core.planes.size()) +
-          " planes, " + std::to_string(core.triangles.size()) + " triangles with " +
-          std::to_string(core.vertices.size()) + " vertices, " + std::to_string(core.materials.size()) +
-          " materials, " + std::to_string(core.lights.size()) + " lights.\n";
+  text += " * " + count_text(core.spheres.size(), "sphere") + ", " + count_text(core.planes.size(), "plane") +
+          ", " + count_text(core.triangles.size(), "triangle") + ", " + std::to_string(core.vertices.size()) +
+          " vertices, " + count_text(core.materials.size(), "material") + ", " +
+          count_text(core.lights.size(), "light") + ".\n";
   text += " * " + std::to_string(flash) + " bytes of flash for these tables; a frame needs " +
           std::to_string(frame_memory_bytes) + " bytes of memory.\n */\n";
   text += "#include \"fixcast/fixcast.h\"\n\n";

@@ -17,8 +17,8 @@ std::string c_name_of(const std::string &path);
 /* Whether `name` may name a C object of firmware: an identifier, no keyword, not in the core's fc_ space. */
 bool is_c_name(const std::string &name);
 
-/* The C99 source that defines `const fc_scene NAME` and `const fc_camera NAME_camera`. The same scene gives the
- * same bytes on every run. `source` is named in the head comment, without its directory. */
+/* The C99 source that defines `const fc_scene NAME` and `const fc_camera NAME_camera`. The same scene gives
+ * the same bytes on every run. `source` is named in the head comment, without its directory. */
 std::string bake(const CoreScene &core, std::size_t frame_memory_bytes, const std::string &name,
                  const std::string &source);
 

@@ -31,8 +31,8 @@ struct Comparison {
   std::vector<WrongPixel> wrong;
 };
 
-/* Whether light masks, the core's and the oracle's, agree; with more than 32 lights the core's last bit stands
- * for several, which the oracle's any_light covers. */
+/* Whether light masks, the core's and the oracle's, agree; with more than 32 lights the core's last bit
+ * stands for several, which the oracle's any_light covers. */
 bool same_light(std::uint32_t core_lit, const OracleAnswer &answer, std::size_t lights);
 
 /* `picture` is the frame as FC_RGB888. */

@@ -28,13 +28,11 @@ std::string json_text(const Comparison &c) {
 }
 
 std::string summary(const Comparison &c) {
-  char text[160];
-  (void)std::snprintf(
-      text, sizeof text,
-      "%zu wrong ids, %zu wrong shadows; colour error %.3f RMSE, %.3f largest (8-bit levels); "
-      "depth error %.3g\n",
-      c.wrong_id, c.wrong_shadow, c.colour_rmse, c.colour_max, c.depth_rel_max);
-  return text;
+  char text[120];
+  (void)std::snprintf(text, sizeof text,
+                      "; colour error %.3f RMSE, %.3f largest (8-bit levels); depth error %.3g\n",
+                      c.colour_rmse, c.colour_max, c.depth_rel_max);
+  return count_text(c.wrong_id, "wrong id") + ", " + count_text(c.wrong_shadow, "wrong shadow") + text;
 }
 
 std::string distance_text(double px) {
@@ -70,10 +68,10 @@ void list_wrong_pixels(std::FILE *to, const Oracle &oracle, const Comparison &co
 int run_compare(const CompareOptions &options) {
   const LoadedScene scene = load_scene(options);
   const CoreFrame frame(scene.file, scene.core, scene.options, scene.width, scene.height);
-  const FrameCounts counts = count(render(frame, FC_RGB565_BE, scene.height));
-  const Picture rgb888 = render(frame, FC_RGB888, scene.height);
+  const Pictures pictures = render_both(frame, scene.height);
+  const FrameCounts counts = count(pictures.rgb565);
   const Oracle oracle(scene.file, scene.width, scene.height);
-  const Comparison comparison = compare(scene.file, oracle, frame, rgb888);
+  const Comparison comparison = compare(scene.file, oracle, frame, pictures.rgb888);
   const std::string text = options.json ? "{" + frame_json(scene, counts) + json_text(comparison) + "}\n"
                                         : frame_summary(scene, counts) + summary(comparison);
   (void)std::fputs(text.c_str(), stdout);

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <future>
 #include <string>
+#include <utility>
 
 #include <zlib.h>
 
@@ -70,6 +73,13 @@ Picture render(const CoreFrame &frame, fc_format format, int strip_rows) {
     p.surface[i] = primitive[i] != 0xffff;
   }
   return p;
+}
+
+Pictures render_both(const CoreFrame &frame, int strip_rows) {
+  std::future<Picture> rgb888 =
+      std::async(std::launch::async, render, std::cref(frame), FC_RGB888, strip_rows);
+  Picture rgb565 = render(frame, FC_RGB565_BE, strip_rows);
+  return {rgb888.get(), std::move(rgb565)};
 }
 
 FrameCounts count(const Picture &picture) {

@@ -53,6 +53,12 @@ struct Picture {
 /* Renders the frame in strips of `strip_rows` rows. */
 Picture render(const CoreFrame &frame, fc_format format, int strip_rows);
 
+/* The frame in the two formats that reports need, rendered at the same time. */
+struct Pictures {
+  Picture rgb888, rgb565; /* FC_RGB888 and FC_RGB565_BE */
+};
+Pictures render_both(const CoreFrame &frame, int strip_rows);
+
 /* What every report says about a frame. */
 struct FrameCounts {
   std::uint32_t crc32 = 0; /* zlib's, of the RGB565 big-endian frame */

@@ -3,6 +3,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -42,7 +43,12 @@ int run(int argc, char **argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &error) {
     if (error.get_exit_code() == 0) return app.exit(error); /* --help, --version */
-    return fail(std::string(error.what()) + "; see 'fixcast --help'");
+    /* An unknown command would otherwise be reported as a missing one. */
+    const std::vector<std::string> unknown = app.remaining();
+    const std::string what = !app.get_subcommands().empty() || unknown.empty()
+                                 ? error.what()
+                                 : "'" + unknown.front() + "' is neither a command nor an option";
+    return fail(what + "; see 'fixcast --help'");
   }
   const int code = action();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return fail("cannot write to standard output");

@@ -114,7 +114,7 @@ double largest(const Double3 &p) {
   return std::max({std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])});
 }
 
-/* The sign of a value that stays zero or positive on one side of the shape and negative on the other. */
+/* Zero on the shape, positive on one side (outside a sphere) and negative on the other. */
 template <class T>
 T side_of(const Shape<T> &shape, const Vec<T> &p) {
   if (shape.kind != Kind::sphere) return dot(shape.normal, p) + shape.d;
@@ -160,7 +160,7 @@ Line<Wide> nudged(const Line<Wide> &line, int k) {
   return out;
 }
 
-/* Combines the plane or sphere with a polygon's outline. */
+/* Does the ray meet the shape, given what `reaches` says? Only a polygon has an outline to test as well. */
 template <class T>
 Verdict meets(const Shape<T> &shape, const Verdict &reached, const Line<T> &ray) {
   if (shape.kind != Kind::polygon || (!reached.value && reached.certain)) return reached;

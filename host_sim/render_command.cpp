@@ -25,15 +25,15 @@ int run_render(const RenderOptions &options) {
 
   const LoadedScene scene = load_scene(options);
   const CoreFrame frame(scene.file, scene.core, scene.options, scene.width, scene.height);
-  const Picture rgb565 = render(frame, FC_RGB565_BE, options.strip_rows);
-  const FrameCounts counts = count(rgb565);
+  const Pictures pictures = render_both(frame, options.strip_rows);
+  const FrameCounts counts = count(pictures.rgb565);
   std::string written;
-  if (!options.frame_path.empty()) {
-    const Picture rgb888 = render(frame, FC_RGB888, options.strip_rows);
-    written += "wrote " + write_image(options.frame_path, {scene.width, scene.height, rgb888.pixels}) + "\n";
-  }
+  if (!options.frame_path.empty())
+    written += "wrote " +
+               write_image(options.frame_path, {scene.width, scene.height, pictures.rgb888.pixels}) + "\n";
   if (!options.depth_path.empty())
-    written += "wrote " + write_depth(options.depth_path, {scene.width, scene.height, rgb565.depth}) + "\n";
+    written +=
+        "wrote " + write_depth(options.depth_path, {scene.width, scene.height, pictures.rgb565.depth}) + "\n";
   const std::string text =
       options.json ? "{" + frame_json(scene, counts) + "}\n" : frame_summary(scene, counts) + written;
   (void)std::fputs(text.c_str(), stdout);

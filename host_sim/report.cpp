@@ -26,21 +26,22 @@ std::string frame_json(const LoadedScene &scene, const FrameCounts &counts) {
          "}, \"unlit_pixels\": " + std::to_string(counts.unlit_pixels);
 }
 
+std::string count_text(std::size_t count, const std::string &noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 std::string frame_summary(const LoadedScene &scene, const FrameCounts &counts) {
   const CoreScene &core = scene.core;
-  std::string text = scene.file.path + ": " + std::to_string(core.spheres.size()) + " spheres, " +
-                     std::to_string(core.planes.size()) + " planes, " +
-                     std::to_string(core.triangles.size()) + " triangles, " +
-                     std::to_string(core.lights.size()) + " lights\n";
-  text +=
-      std::to_string(scene.width) + "x" + std::to_string(scene.height) + ", CRC-32 " + hex_text(counts.crc32);
   std::size_t objects = 0, surface = 0;
   for (const auto &[id, pixels] : counts.pixels_by_id) {
     if (id != 0) objects++, surface += pixels;
   }
-  text += ", " + std::to_string(objects) + " objects in " + std::to_string(surface) + " pixels, " +
-          std::to_string(counts.unlit_pixels) + " of them unlit\n";
-  return text;
+  return scene.file.path + ": " + count_text(core.spheres.size(), "sphere") + ", " +
+         count_text(core.planes.size(), "plane") + ", " + count_text(core.triangles.size(), "triangle") +
+         ", " + count_text(core.lights.size(), "light") + "\n" + std::to_string(scene.width) + "x" +
+         std::to_string(scene.height) + ", CRC-32 " + hex_text(counts.crc32) + ", " +
+         count_text(objects, "object") + " in " + count_text(surface, "pixel") + ", " +
+         std::to_string(counts.unlit_pixels) + " of them unlit\n";
 }
 
 } // namespace host

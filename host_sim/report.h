@@ -4,6 +4,7 @@
 #ifndef FIXCAST_HOST_REPORT_H
 #define FIXCAST_HOST_REPORT_H
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -17,6 +18,9 @@ std::string number_text(double value);
 
 /* "0x1234abcd" */
 std::string hex_text(std::uint32_t value);
+
+/* "1 plane", "2 planes" */
+std::string count_text(std::size_t count, const std::string &noun);
 
 /* The members width height crc32 pixels_by_id unlit_pixels, without the braces of the object. */
 std::string frame_json(const LoadedScene &scene, const FrameCounts &counts);

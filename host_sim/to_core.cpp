@@ -48,8 +48,9 @@ long double largest(std::initializer_list<Triple> vectors) {
   return m;
 }
 
-/* The exponent, relative to a grid of 2^unit, of the finest grid in lowest..highest that holds all the vectors,
- * or nothing if none does. 0 wherever that is exact: finer would only make the tables harder to read. */
+/* The exponent, relative to a grid of 2^unit, of the finest grid in lowest..highest that holds all the
+ * vectors, or nothing if none does. 0 wherever that is exact: finer would only make the tables harder to
+ * read. */
 std::optional<int> own_exponent(std::initializer_list<Triple> vectors, int unit, int lowest, int highest) {
   const long double m = largest(vectors);
   if (m == 0) return 0;
@@ -165,8 +166,8 @@ private:
     out_.spheres.push_back({on_grid(scaled(s.center), unit_), radius, material(s.material), s.object});
   }
 
-  /* A normal may have any length, so it takes the power of two that leaves d most bits: 30 bits for the normal,
-   * fewer only if d would need an exponent beyond 32. */
+  /* A normal may have any length, so it takes the power of two that leaves d most bits: 30 bits for the
+   * normal, fewer only if d would need an exponent beyond 32. */
   void add(const Plane &p) {
     reserve_primitives(1, p.line);
     const Triple n = values(p.normal);

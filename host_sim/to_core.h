@@ -41,7 +41,8 @@ CoreScene to_core(const SceneFile &file);
 /* One world coordinate in world units. */
 long double world_unit(const fc_scene &scene);
 
-/* The rule for shadow tests: "exact", "residual", "none" or "epsilon=N", N in world units. Throws UserError. */
+/* The rule for shadow tests: "exact", "residual", "none" or "epsilon=N", N in world units. Throws
+ * UserError. */
 fc_options to_options(const std::string &offset, const fc_scene &scene);
 
 } // namespace host

@@ -23,7 +23,7 @@ static int check(const fc_scene *scene, const fc_shapes *shapes) {
         fc_abs32(p.normal.z) > (uint32_t)FC_COORDINATE_MAX || fc_abs32(p.d) > (uint32_t)FC_COORDINATE_MAX)
       return FC_ERR_COORDINATE;
     if ((p.normal.x | p.normal.y | p.normal.z) == 0) return FC_ERR_NORMAL;
-    if (p.d_exponent < 0 || p.d_exponent > 31) return FC_ERR_EXPONENT;
+    if (p.d_exponent < 0 || p.d_exponent > 32) return FC_ERR_EXPONENT;
     if (p.material >= scene->material_count) return FC_ERR_INDEX;
   }
   return FC_OK;
@@ -37,7 +37,7 @@ static void normal_of(const fc_plane *p, int64_t n[3]) {
   n[2] = p->normal.z;
 }
 
-/* k of the plane relative to the eye, in units of 2^-fine: -d - normal . eye; 30+31+31 bits and 30+61+2: below 2^94. */
+/* k of the plane relative to the eye, in units of 2^-fine: -d - normal . eye; 30+32+31 bits and 30+61+2: below 2^94. */
 static fc_i128 offset_from_eye(const fc_view *view, const fc_plane *p) {
   int64_t n[3];
   fc_i128 d = fc_i128_shift_left(fc_i128_from(p->d), (uint8_t)(p->d_exponent + view->fine));
@@ -99,12 +99,12 @@ static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
     form->u.plane.k = placed->k;
   } else {
     normal_of(&p, form->u.plane.normal);
-    form->u.plane.k = -p.d * (INT64_C(1) << p.d_exponent); /* 30 + 31 bits */
+    form->u.plane.k = -p.d * (INT64_C(1) << p.d_exponent); /* 30 + 32 bits */
   }
 }
 
 static void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
-  /* 61 bits and 30 + 30 + 2: below 2^63 */
+  /* 62 bits and 30 + 30 + 2: below 2^63 */
   const int64_t *n = form->u.plane.normal;
   prepared->u.plane.normal[0] = n[0];
   prepared->u.plane.normal[1] = n[1];

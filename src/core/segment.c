@@ -18,6 +18,21 @@ bool fc_point_at(fc_num t, const int64_t origin[3], const int64_t direction[3], 
   return valid;
 }
 
+void fc_segment_prepare(fc_segment *segment) {
+  uint8_t i, bits = fc_vector_bits(segment->light), point_bits = fc_vector_bits(segment->point);
+  if (point_bits > bits) bits = point_bits;
+  segment->unit = bits > 30 ? (uint8_t)(bits - 30) : 0;
+  segment->length = 0;
+  for (i = 0; i < 3; i++) {
+    int64_t light = segment->light[i], low = segment->point[i] - segment->point_error,
+            high = segment->point[i] + segment->point_error;
+    segment->low[i] = light < low ? light : low;
+    segment->high[i] = light > high ? light : high;
+    segment->w[i] = fc_floor_shift64(segment->point[i] - light, segment->unit);
+    segment->length += (int64_t)fc_abs64(segment->w[i]);
+  }
+}
+
 void fc_exact_point_of(fc_exact_point *p, const fc_segment *segment) {
   uint8_t i;
   const fc_root *root = segment->root;

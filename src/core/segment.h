@@ -21,7 +21,22 @@ typedef struct fc_segment {
   bool point_valid;         /* false: too far away for `point`; only the exact form holds */
   const fc_root *root;      /* NULL: `point` is the exact point */
   const int64_t *origin, *direction; /* with root */
+  /* The filters' view of it, filled by fc_segment_prepare: */
+  uint8_t unit;             /* in units of 2^unit, light and point are below 2^30 */
+  int64_t w[3];             /* floor of point - light in those units, below 2^31 */
+  int64_t length;           /* |w|_1 */
+  int64_t low[3], high[3];  /* a box around the segment, its error included */
 } fc_segment;
+
+/* Fills the filters' part; call it whenever light or point have changed. */
+void fc_segment_prepare(fc_segment *segment);
+
+/* Whether a box low .. high cannot touch the segment: cheap, and most primitives are far off. */
+static inline bool fc_segment_apart(const fc_segment *segment, const int64_t low[3], const int64_t high[3]) {
+  return segment->point_valid &&
+         (high[0] < segment->low[0] || low[0] > segment->high[0] || high[1] < segment->low[1] ||
+          low[1] > segment->high[1] || high[2] < segment->low[2] || low[2] > segment->high[2]);
+}
 
 /* Rounds origin + t direction to the grid. Returns false when it lies beyond 2^56 units: then the point is only
  * a stand-in far out in the right direction. */

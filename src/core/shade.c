@@ -70,12 +70,15 @@ static bool reached(const fc_frame *frame, const fc_space *space, const fc_surfa
   segment->point[1] = surface->point[1];
   segment->point[2] = surface->point[2];
   if (!surface->at.kind.facing(&surface->form, &surface->prepared, segment)) return false;
-  if (frame->options.offset_rule == FC_OFFSET_EXACT)
+  if (frame->options.offset_rule == FC_OFFSET_EXACT) {
+    fc_segment_prepare(segment);
     return !fc_space_blocked(space, segment, surface->primitive);
+  }
   segment->root = NULL;
   segment->point_error = 0;
   segment->point_valid = true;
   fc_surface_offset(surface, frame->options.offset_rule, frame->epsilon_grid, segment->point);
+  fc_segment_prepare(segment);
   return !fc_space_blocked(space, segment, FC_PRIMITIVES_MAX);
 }
 

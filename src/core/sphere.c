@@ -212,12 +212,24 @@ static int8_t certain_sign(fc_i128 value, fc_i128 error) {
   return fc_i128_compare(fc_i128_abs(value), error) > 0 ? fc_i128_sign(value) : 0;
 }
 
+/* A box around the sphere. */
+static bool apart(const fc_form *form, const fc_segment *segment) {
+  int64_t low[3], high[3];
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    low[i] = form->u.sphere.center[i] - form->u.sphere.radius;
+    high[i] = form->u.sphere.center[i] + form->u.sphere.radius;
+  }
+  return fc_segment_apart(segment, low, high);
+}
+
 static bool blocked(const fc_form *form, const fc_segment *segment) {
   int64_t c_light[3], c_point[3], w[3], wl[3];
   fc_i128 q_light, disc, error;
   int64_t along, square, q, r, e_along, e_square, e_q;
   int8_t at_light, at_point, sign;
   uint8_t i, bits, shift;
+  if (apart(form, segment)) return false;
   for (i = 0; i < 3; i++) c_light[i] = form->u.sphere.center[i] - segment->light[i];
   q_light = power(c_light, form->u.sphere.radius);
   at_light = fc_i128_sign(q_light);

@@ -201,35 +201,29 @@ static bool exact_pierces(const fc_form *form, const fc_segment *segment) {
 
 /* The same by filter: 1 inside, 0 outside, -1 undecided. */
 static int8_t quick_pierces(const fc_form *form, const fc_segment *segment) {
-  int64_t w[3], length, whole[3];
-  uint8_t unit = 0, bits, i, j;
-  int64_t e_a, e_w;
+  const int64_t *w = segment->w;
+  int64_t a[3], e_a, e_w;
+  uint8_t i, j;
   int8_t seen = 0;
   if (!segment->point_valid) return -1;
-  subtract(segment->point, segment->light, whole);
-  /* Units of 2^unit bring light and point below 2^30, and their differences below 2^31. */
-  bits = fc_vector_bits(segment->light);
-  if (fc_vector_bits(segment->point) > bits) bits = fc_vector_bits(segment->point);
-  if (bits > 30) unit = (uint8_t)(bits - 30);
-  e_a = unit > 0;
+  /* Vertices from the light in units of 2^unit, below 2^31: short by less than e_a an axis, as w is by e_w. */
+  e_a = segment->unit > 0;
   e_w = e_a + segment->point_error;
-  for (j = 0; j < 3; j++) w[j] = fc_floor_shift64(whole[j], unit);
-  length = norm1(w);
   for (i = 0; i < 3; i++) {
-    int64_t a[3], e[3], n[3], small[3], e_n, value, error;
+    int64_t e[3], n[3], small[3], e_n, value, error;
     uint8_t shift;
     int8_t sign;
     subtract(form->u.triangle.vertex[i], segment->light, a);
-    for (j = 0; j < 3; j++) a[j] = fc_floor_shift64(a[j], unit);
+    for (j = 0; j < 3; j++) a[j] = fc_floor_shift64(a[j], segment->unit);
     subtract(form->u.triangle.vertex[next(i)], form->u.triangle.vertex[i], e);
     fc_cross(a, e, n); /* 31 + 31 bits, two products: below 2^63 */
     shrink(n, small, &shift);
-    /* a is short by less than e_a an axis: n is off by less than e_a |e|_1; then the cut */
+    /* n is off by less than e_a |e|_1; then the cut */
     e_n = (shift > 0) + (e_a != 0 ? (norm1(e) >> shift) + 1 : 0);
     if (e_n >= (INT64_C(1) << 24)) return -1;
     /* 30 + 31 bits, three terms: below 2^63; the error's terms below 2^58 */
     value = small[0] * w[0] + small[1] * w[1] + small[2] * w[2];
-    error = e_n * length + (norm1(small) + 3 * e_n) * e_w;
+    error = e_n * segment->length + (norm1(small) + 3 * e_n) * e_w;
     if ((int64_t)fc_abs64(value) <= error && error != 0) return -1;
     sign = fc_sign64(value);
     if (sign * seen < 0) return 0;
@@ -238,18 +232,18 @@ static int8_t quick_pierces(const fc_form *form, const fc_segment *segment) {
   return 1;
 }
 
-/* Whether the boxes around the segment and the triangle are apart: cheap, and most triangles are. */
+/* A box around the triangle. */
 static bool apart(const fc_form *form, const fc_segment *segment) {
+  int64_t low[3], high[3];
   uint8_t j;
-  if (!segment->point_valid) return false;
   for (j = 0; j < 3; j++) {
     int64_t a = form->u.triangle.vertex[0][j], b = form->u.triangle.vertex[1][j], c = form->u.triangle.vertex[2][j];
-    int64_t low = segment->point[j] - segment->point_error, high = segment->point[j] + segment->point_error;
-    if (segment->light[j] < low) low = segment->light[j];
-    if (segment->light[j] > high) high = segment->light[j];
-    if ((a < low && b < low && c < low) || (a > high && b > high && c > high)) return true;
+    low[j] = a < b ? a : b;
+    high[j] = a < b ? b : a;
+    if (c < low[j]) low[j] = c;
+    if (c > high[j]) high[j] = c;
   }
-  return false;
+  return fc_segment_apart(segment, low, high);
 }
 
 /* Sign of normal . (A - light): 63 + 62 bits, three products below 2^127. */

@@ -19,13 +19,19 @@ static int same(const char *a, const char *b) {
 }
 
 static void test_unknown_codes_have_a_text(void) {
-  static const int unknown[] = {LAST - 1, FIRST + 1, INT_MAX, INT_MIN};
+  static const int unknown[] = {LAST - 1, -1000, -INT_MAX, INT_MIN};
   unsigned i;
   for (i = 0; i < sizeof unknown / sizeof unknown[0]; i++) {
     TEST_ASSERT_NOT_NULL(fc_error_text(unknown[i]));
     TEST_ASSERT_EQUAL_STRING(fc_error_text(unknown[0]), fc_error_text(unknown[i]));
     TEST_ASSERT_TRUE(fc_error_text(unknown[i])[0] != '\0');
   }
+}
+
+/* Functions that count return more than 0 on success. */
+static void test_positive_results_are_no_error(void) {
+  TEST_ASSERT_EQUAL_STRING(fc_error_text(FC_OK), fc_error_text(1));
+  TEST_ASSERT_EQUAL_STRING(fc_error_text(FC_OK), fc_error_text(INT_MAX));
 }
 
 static void test_every_code_has_its_own_text(void) {
@@ -41,6 +47,7 @@ static void test_every_code_has_its_own_text(void) {
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_unknown_codes_have_a_text);
+  RUN_TEST(test_positive_results_are_no_error);
   RUN_TEST(test_every_code_has_its_own_text);
   return UNITY_END();
 }

@@ -12,6 +12,7 @@ static void capture(int c) {
 #include "unity_config.h"
 #define REPORT_CHAR(c) semihost_char(c)
 #define REPORT_FLUSH() semihost_flush()
+#undef UNITY_INCLUDE_CONFIG_H /* unity.h prints into `captured` */
 #undef UNITY_OUTPUT_CHAR
 #undef UNITY_OUTPUT_FLUSH
 #else
