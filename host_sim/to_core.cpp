@@ -119,7 +119,7 @@ private:
     unit_ = m > 0 ? finest_exponent(m) : -16;
     if (unit_ + 16 < -60 || unit_ + 16 > 60)
       fail(file_, 0,
-           "the scene is too large or too small; bring its largest coordinate between 1e-9 and 1e21");
+           "the scene is too large or too small; bring its largest coordinate between 1e-13 and 1e22");
     out_.scene.exponent = static_cast<std::int8_t>(unit_ + 16);
   }
 

@@ -75,7 +75,7 @@ int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t
  * mantissa in 2^31..2^32-1. Relative error of the mantissa 2^-30; of the code 2^-15, 2^-14 or 2^-13. */
 uint32_t fc_depth_z(const fc_frame *frame, uint16_t code, int *exponent);
 
-/* The object id of a primitive number, 0 for 0xffff. */
+/* The object id of a primitive number, 0 where there is none (as for 0xffff, the background). */
 uint16_t fc_object(const fc_frame *frame, uint16_t primitive);
 
 #ifdef __cplusplus

@@ -139,9 +139,7 @@ int fc_offset(const fc_scene *scene_rom, const fc_hit *hit, int rule, int32_t ep
   FC_READ(&scene, scene_rom, sizeof scene);
   space.scene = &scene;
   space.memory = NULL;
-  if (hit->primitive == NO_PRIMITIVE) return FC_ERR_INDEX;
-  fc_cursor_find(&surface.at, &space, hit->primitive, &index);
-  if (index >= surface.at.group.shapes.count) return FC_ERR_INDEX;
+  if (!fc_cursor_find(&surface.at, &space, hit->primitive, &index)) return FC_ERR_INDEX;
   surface.at.kind.fetch(&surface.at.group, index, &surface.form);
   surface.inside = hit->inside;
   /* normal_q30 is turned to the ray's side; a surface's own normal is not */

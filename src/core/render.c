@@ -185,8 +185,7 @@ uint16_t fc_object(const fc_frame *frame, uint16_t primitive) {
   fc_cursor cursor;
   fc_form form;
   uint16_t index;
-  if (primitive == NO_PRIMITIVE) return 0;
-  fc_cursor_find(&cursor, &space, primitive, &index);
+  if (!fc_cursor_find(&cursor, &space, primitive, &index)) return 0;
   cursor.kind.fetch(&cursor.group, index, &form);
   return form.object;
 }

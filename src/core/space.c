@@ -24,11 +24,13 @@ bool fc_cursor_next(fc_cursor *cursor) {
   return true;
 }
 
-void fc_cursor_find(fc_cursor *cursor, const fc_space *space, uint16_t primitive, uint16_t *index) {
+bool fc_cursor_find(fc_cursor *cursor, const fc_space *space, uint16_t primitive, uint16_t *index) {
   fc_cursor_start(cursor, space);
-  while (fc_cursor_next(cursor))
-    if (primitive - cursor->group.first < cursor->group.shapes.count) break;
-  *index = (uint16_t)(primitive - cursor->group.first);
+  while (fc_cursor_next(cursor)) {
+    *index = (uint16_t)(primitive - cursor->group.first);
+    if (*index < cursor->group.shapes.count) return true;
+  }
+  return false;
 }
 
 static int check_light(const fc_scene *scene, uint16_t index) {
@@ -93,7 +95,7 @@ bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primit
                      const int64_t direction[3]) {
   fc_root root[2];
   uint16_t index;
-  fc_cursor_find(&surface->at, space, primitive, &index);
+  if (!fc_cursor_find(&surface->at, space, primitive, &index)) return false;
   surface->primitive = primitive;
   surface->origin = origin;
   surface->direction = direction;

@@ -26,8 +26,8 @@ typedef struct fc_cursor {
 void fc_cursor_start(fc_cursor *cursor, const fc_space *space);
 bool fc_cursor_next(fc_cursor *cursor);
 
-/* Opens the table that holds a primitive; *index is its place there. The primitive must exist. */
-void fc_cursor_find(fc_cursor *cursor, const fc_space *space, uint16_t primitive, uint16_t *index);
+/* Opens the table that holds a primitive; *index is its place there. False when there is no such primitive. */
+bool fc_cursor_find(fc_cursor *cursor, const fc_space *space, uint16_t primitive, uint16_t *index);
 
 /* Whether the open segment meets any primitive but `skip` (0xffff: none is skipped). */
 bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t skip);
