@@ -68,7 +68,7 @@ void list_wrong_pixels(std::FILE *to, const Oracle &oracle, const Comparison &co
 int run_compare(const CompareOptions &options) {
   const LoadedScene scene = load_scene(options);
   const CoreFrame frame(scene.file, scene.core, scene.options, scene.width, scene.height);
-  const Pictures pictures = render_both(frame, scene.height);
+  const Pictures pictures = render(frame, 16); /* any height gives the same bits; short ones show progress */
   const FrameCounts counts = count(pictures.rgb565);
   const Oracle oracle(scene.file, scene.width, scene.height);
   const Comparison comparison = compare(scene.file, oracle, frame, pictures.rgb888);

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <future>
 #include <string>
 #include <utility>
 
 #include <zlib.h>
+
+#include "progress.h"
 
 namespace host {
 namespace {
@@ -21,27 +22,8 @@ namespace {
   throw UserError(file.path + line + ": " + fc_error_text(error));
 }
 
-} // namespace
-
-CoreFrame::CoreFrame(const SceneFile &file, const CoreScene &core, const fc_options &options, int width,
-                     int height)
-    : core_(core) {
-  int error = FC_OK;
-  memory_bytes_ = fc_frame_memory(&core.scene, &error);
-  if (error < 0) fail(file, error);
-  memory_.resize(memory_bytes_ / sizeof(std::int64_t) + 1);
-  error = fc_frame_setup(&frame_, &core.scene, &core.camera, &options, static_cast<std::uint16_t>(width),
-                         static_cast<std::uint16_t>(height), memory_.data(), memory_bytes_);
-  if (error < 0) fail(file, error);
-}
-
-double CoreFrame::depth_z(std::uint16_t code) const {
-  int exponent = 0;
-  const double mantissa = fc_depth_z(&frame_, code, &exponent);
-  return static_cast<double>(std::ldexp(mantissa * world_unit(core_.scene), exponent));
-}
-
-Picture render(const CoreFrame &frame, fc_format format, int strip_rows) {
+/* `progress` may be null. */
+Picture render_format(const CoreFrame &frame, fc_format format, int strip_rows, Progress *progress) {
   Picture p;
   p.width = frame.get().width;
   p.height = frame.get().height;
@@ -65,6 +47,7 @@ Picture render(const CoreFrame &frame, fc_format format, int strip_rows) {
     const int error = fc_render_rows(&frame.get(), static_cast<std::uint16_t>(y),
                                      static_cast<std::uint16_t>(rows), &target);
     if (error < 0) throw UserError(std::string("cannot render: ") + fc_error_text(error));
+    if (progress != nullptr) progress->update(static_cast<std::size_t>(y + rows));
   }
   p.object.resize(size);
   p.surface.resize(size);
@@ -75,10 +58,31 @@ Picture render(const CoreFrame &frame, fc_format format, int strip_rows) {
   return p;
 }
 
-Pictures render_both(const CoreFrame &frame, int strip_rows) {
+} // namespace
+
+CoreFrame::CoreFrame(const SceneFile &file, const CoreScene &core, const fc_options &options, int width,
+                     int height)
+    : core_(core) {
+  int error = FC_OK;
+  memory_bytes_ = fc_frame_memory(&core.scene, &error);
+  if (error < 0) fail(file, error);
+  memory_.resize(memory_bytes_ / sizeof(std::int64_t) + 1);
+  error = fc_frame_setup(&frame_, &core.scene, &core.camera, &options, static_cast<std::uint16_t>(width),
+                         static_cast<std::uint16_t>(height), memory_.data(), memory_bytes_);
+  if (error < 0) fail(file, error);
+}
+
+double CoreFrame::depth_z(std::uint16_t code) const {
+  int exponent = 0;
+  const double mantissa = fc_depth_z(&frame_, code, &exponent);
+  return static_cast<double>(std::ldexp(mantissa * world_unit(core_.scene), exponent));
+}
+
+Pictures render(const CoreFrame &frame, int strip_rows) {
   std::future<Picture> rgb888 =
-      std::async(std::launch::async, render, std::cref(frame), FC_RGB888, strip_rows);
-  Picture rgb565 = render(frame, FC_RGB565_BE, strip_rows);
+      std::async(std::launch::async, [&] { return render_format(frame, FC_RGB888, strip_rows, nullptr); });
+  Progress progress("rendering", frame.get().height);
+  Picture rgb565 = render_format(frame, FC_RGB565_BE, strip_rows, &progress);
   return {rgb888.get(), std::move(rgb565)};
 }
 

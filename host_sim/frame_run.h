@@ -50,14 +50,13 @@ struct Picture {
   std::vector<std::uint32_t> lit;
 };
 
-/* Renders the frame in strips of `strip_rows` rows. */
-Picture render(const CoreFrame &frame, fc_format format, int strip_rows);
-
-/* The frame in the two formats that reports need, rendered at the same time. */
+/* The frame in the two formats that reports need. */
 struct Pictures {
   Picture rgb888, rgb565; /* FC_RGB888 and FC_RGB565_BE */
 };
-Pictures render_both(const CoreFrame &frame, int strip_rows);
+
+/* Renders the frame in strips of `strip_rows` rows, both formats at the same time. */
+Pictures render(const CoreFrame &frame, int strip_rows);
 
 /* What every report says about a frame. */
 struct FrameCounts {

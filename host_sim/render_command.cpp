@@ -25,7 +25,7 @@ int run_render(const RenderOptions &options) {
 
   const LoadedScene scene = load_scene(options);
   const CoreFrame frame(scene.file, scene.core, scene.options, scene.width, scene.height);
-  const Pictures pictures = render_both(frame, options.strip_rows);
+  const Pictures pictures = render(frame, options.strip_rows);
   const FrameCounts counts = count(pictures.rgb565);
   std::string written;
   if (!options.frame_path.empty())

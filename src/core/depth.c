@@ -2,6 +2,7 @@
 #include "depth.h"
 
 #include "num.h"
+#include "tally.h"
 
 void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
   uint8_t bits = frame->options.depth_exponent_bits;
@@ -24,15 +25,18 @@ uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root) {
   fc_num v = fc_num_div(fc_num_from_u64(frame->depth_near, 0), z);
   uint64_t fraction = v.m - (UINT64_C(1) << 62), rest, half = UINT64_C(1) << (drop - 1);
   uint32_t code;
+  bool close;
   octave = v.e + 62 + octaves; /* 1/2 <= v < 1 is the highest, octaves - 1 */
   if (octave >= octaves) return UINT16_MAX;
   if (octave < 0) return 1;
   code = ((uint32_t)octave << m_bits) | (uint32_t)(fraction >> drop);
   rest = fraction & ((UINT64_C(1) << drop) - 1);
   /* v is within 2^-57: less than 2^6 in its last places */
-  if (rest > half + 256) {
-    code++;
-  } else if (rest + 256 >= half) {
+  close = rest <= half + 256 && rest + 256 >= half;
+  FC_TALLY(FC_DECIDE_DEPTH, close);
+  if (!close) {
+    code += rest > half;
+  } else {
     /* near / (t F) against (2^m_bits + mantissa + 1/2) 2^(octave - octaves - m_bits), cleared of fractions:
      * 32 + 29 + 1 bits against 18 + 30 */
     uint32_t mantissa = (uint32_t)(fraction >> drop) + (UINT32_C(1) << m_bits);

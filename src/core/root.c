@@ -1,6 +1,8 @@
 /* Exact comparison of ray parameters: values first, surds when the values are too close. */
 #include "root.h"
 
+#include "tally.h"
+
 fc_num fc_root_value(const fc_root *root) {
   fc_num p = fc_num_from_abs(root->p), m = fc_num_from_abs(root->m), s;
   if (root->q == 0) return fc_num_div(p, m);
@@ -20,6 +22,7 @@ int8_t fc_num_order(fc_num a, fc_num b) {
 int8_t fc_root_compare(const fc_root *a, const fc_root *b) {
   fc_wide x, y, pa, pb, ma, mb, da, db;
   int8_t order = fc_num_order(fc_root_value(a), fc_root_value(b));
+  FC_TALLY(FC_DECIDE_NEARER, order == 0);
   if (order != 0) return order;
   /* (pa mb - pb ma) + qa mb sqrt(da) - qb ma sqrt(db) */
   fc_wide_from(&pa, a->p);
@@ -52,6 +55,7 @@ int8_t fc_root_compare_ratio(const fc_root *root, const fc_wide *a, const fc_wid
 int8_t fc_root_compare_q32(const fc_root *root, uint64_t t_q32) {
   fc_wide a, b;
   int8_t order = fc_num_order(fc_root_value(root), fc_num_from_u64(t_q32, -32));
+  FC_TALLY(FC_DECIDE_FAR, order == 0);
   if (order != 0) return order;
   fc_wide_from(&a, fc_i128_from_u64(t_q32));
   fc_wide_from_i64(&b, INT64_C(1) << 32);
@@ -63,6 +67,7 @@ int8_t fc_root_compare_distance(const fc_root *root, int64_t length2, int32_t fa
   fc_num t = fc_root_value(root), limit = fc_num_from_u64((uint64_t)far, exponent);
   int8_t order = fc_num_order(fc_num_mul(fc_num_mul(t, t), fc_num_from_u64((uint64_t)length2, 0)),
                               fc_num_mul(limit, limit));
+  FC_TALLY(FC_DECIDE_FAR, order == 0);
   if (order != 0) return order;
   /* (p + q sqrt d)^2 length2 - far^2 m^2, times 2^(-2 exponent) when the exponent is negative:
    * the constant part is (p^2 + q^2 d) length2 - far^2 m^2, the part with sqrt(d) is 2 p q length2 */

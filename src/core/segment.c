@@ -4,6 +4,7 @@
 #include <stddef.h>
 
 #include "bits.h"
+#include "tally.h"
 
 bool fc_point_at(fc_num t, const int64_t origin[3], const int64_t direction[3], int64_t point[3]) {
   /* |t direction| < 2^(t.e + 63 + 30): a value of up to 57 bits carries less than 2^-1 of relative error */
@@ -70,8 +71,9 @@ int8_t fc_side_of_point(const fc_segment *segment, const int64_t n[3], fc_i128 k
   if (segment->point_valid) {
     /* n 64 bits, point 61: 126 bits and the sum of three 127; off by less than |n|_1 * error */
     fc_i128 side = fc_i128_sub(k, fc_i128_dot(n, segment->point));
-    if (segment->point_error == 0) return fc_i128_sign(side);
-    if (fc_i128_compare(fc_i128_abs(side), fc_norm1(n)) > 0) return fc_i128_sign(side);
+    bool certain = segment->point_error == 0 || fc_i128_compare(fc_i128_abs(side), fc_norm1(n)) > 0;
+    FC_TALLY(FC_DECIDE_SIDE, !certain);
+    if (certain) return fc_i128_sign(side);
   }
   fc_exact_point_of(&p, segment);
   fc_wide_from(&x, k);

@@ -2,6 +2,7 @@
 #include "bits.h"
 #include "fixcast/error.h"
 #include "kind.h"
+#include "tally.h"
 #include "view.h"
 
 /* Camera-space record. */
@@ -223,17 +224,16 @@ static bool apart(const fc_form *form, const fc_segment *segment) {
   return fc_segment_apart(segment, low, high);
 }
 
-static bool blocked(const fc_form *form, const fc_segment *segment) {
+/* Blocked by filter: 1 yes, 0 no, -1 undecided. */
+static int8_t quick_blocked(const fc_form *form, const fc_segment *segment, fc_i128 q_light) {
   int64_t c_light[3], c_point[3], w[3], wl[3];
-  fc_i128 q_light, disc, error;
+  fc_i128 disc, error;
   int64_t along, square, q, r, e_along, e_square, e_q;
   int8_t at_light, at_point, sign;
   uint8_t i, bits, shift;
-  if (apart(form, segment)) return false;
   for (i = 0; i < 3; i++) c_light[i] = form->u.sphere.center[i] - segment->light[i];
-  q_light = power(c_light, form->u.sphere.radius);
   at_light = fc_i128_sign(q_light);
-  if (!segment->point_valid) return exact_blocked(form, segment, q_light);
+  if (!segment->point_valid) return -1;
   for (i = 0; i < 3; i++) {
     c_point[i] = form->u.sphere.center[i] - segment->point[i];
     wl[i] = segment->point[i] - segment->light[i];
@@ -246,9 +246,9 @@ static bool blocked(const fc_form *form, const fc_segment *segment) {
   }
   disc = power(c_point, form->u.sphere.radius);
   at_point = certain_sign(disc, error);
-  if (at_point == 0 && segment->point_error != 0) return exact_blocked(form, segment, q_light);
-  if (at_light * at_point < 0) return true;
-  if (at_light < 0 || at_point < 0) return false;
+  if (at_point == 0 && segment->point_error != 0) return -1;
+  if (at_light * at_point < 0) return 1;
+  if (at_light < 0 || at_point < 0) return 0;
   /* Both ends outside. Shrink to 30 bits: each component of c off by e_c = shift > 0, of w by e_w. */
   bits = fc_vector_bits(wl);
   if (fc_vector_bits(c_light) > bits) bits = fc_vector_bits(c_light);
@@ -266,7 +266,7 @@ static bool blocked(const fc_form *form, const fc_segment *segment) {
     e_square = 2 * norm1(w) * e_w + 3 * e_w * e_w;
     e_q = 2 * norm1(c_light) * e_c + 3 * e_c + 2 * r * e_c + e_c;
   }
-  if (along < -e_along || square - along < -(e_square + e_along)) return false;
+  if (along < -e_along || square - along < -(e_square + e_along)) return 0;
   /* along^2 - square q: 124 bits; off by 2 |along| e_along + e_along^2 + square e_q + |q| e_square + e_q e_square */
   disc = fc_i128_sub(fc_i128_mul(along, along), fc_i128_mul(square, q));
   error = fc_i128_add(fc_i128_mul(2 * e_along, (int64_t)fc_abs64(along)), fc_i128_mul(e_along, e_along));
@@ -274,9 +274,22 @@ static bool blocked(const fc_form *form, const fc_segment *segment) {
   error = fc_i128_add(error, fc_i128_mul((int64_t)fc_abs64(q), e_square));
   error = fc_i128_add(error, fc_i128_mul(e_q, e_square));
   sign = certain_sign(disc, error);
-  if (sign < 0) return false;
-  if ((sign > 0 || fc_i128_sign(error) == 0) && along > e_along && square - along > e_square + e_along) return true;
-  return exact_blocked(form, segment, q_light);
+  if (sign < 0) return 0;
+  if ((sign > 0 || fc_i128_sign(error) == 0) && along > e_along && square - along > e_square + e_along) return 1;
+  return -1;
+}
+
+static bool blocked(const fc_form *form, const fc_segment *segment) {
+  int64_t c_light[3];
+  fc_i128 q_light;
+  int8_t quick;
+  uint8_t i;
+  if (apart(form, segment)) return false;
+  for (i = 0; i < 3; i++) c_light[i] = form->u.sphere.center[i] - segment->light[i];
+  q_light = power(c_light, form->u.sphere.radius);
+  quick = quick_blocked(form, segment, q_light);
+  FC_TALLY(FC_DECIDE_PASS, quick < 0);
+  return quick < 0 ? exact_blocked(form, segment, q_light) : quick > 0;
 }
 
 /* Sign of (P - C) . (L - P). */
@@ -287,14 +300,16 @@ static int8_t outward_sign(const fc_form *form, const fc_segment *segment) {
   if (segment->point_valid) {
     int64_t n[3], l[3];
     fc_i128 value, error = fc_i128_from(0);
+    bool certain;
     for (i = 0; i < 3; i++) {
       n[i] = segment->point[i] - form->u.sphere.center[i];
       l[i] = segment->light[i] - segment->point[i];
     }
     value = fc_i128_dot(n, l);
     if (segment->point_error != 0) error = fc_i128_add(fc_i128_add(fc_norm1(n), fc_norm1(l)), fc_i128_from(3));
-    if (segment->point_error == 0) return fc_i128_sign(value);
-    if (certain_sign(value, error) != 0) return fc_i128_sign(value);
+    certain = segment->point_error == 0 || certain_sign(value, error) != 0;
+    FC_TALLY(FC_DECIDE_FACING, !certain);
+    if (certain) return fc_i128_sign(value);
   }
   /* G = u - m C, H = m L - u; (G + v s).(H - v s) = G.H - d v.v + (v.H - G.v) s */
   fc_exact_point_of(&p, segment);

@@ -2,6 +2,7 @@
 #include "bits.h"
 #include "fixcast/error.h"
 #include "kind.h"
+#include "tally.h"
 #include "view.h"
 
 typedef struct placed_vertex {
@@ -141,9 +142,10 @@ static int8_t edge_sign(const fc_prepared *prepared, uint8_t i, const int64_t d[
   const int32_t *f = prepared->u.triangle.filter[i];
   const int64_t *n = prepared->u.triangle.edge[i];
   int64_t quick = f[0] * d[0] + f[1] * d[1] + f[2] * d[2];
+  bool certain = quick >= reach || quick <= -reach;
   int8_t sign;
-  if (quick >= reach) return 1;
-  if (quick <= -reach) return -1;
+  FC_TALLY(FC_DECIDE_EDGE, !certain);
+  if (certain) return fc_sign64(quick);
   sign = fc_i128_sign(fc_i128_dot(n, d)); /* 63 + 30 + 2 bits */
   if (sign == 0) sign = fc_sign64(n[0]);
   if (sign == 0) sign = fc_sign64(n[1]);
@@ -258,6 +260,7 @@ static bool blocked(const fc_form *form, const fc_segment *segment) {
   int8_t light, inside;
   if (apart(form, segment)) return false;
   inside = quick_pierces(form, segment);
+  FC_TALLY(FC_DECIDE_PIERCE, inside < 0);
   if (inside == 0) return false;
   face_normal(form, n);
   light = side_of_light(form, segment, n);

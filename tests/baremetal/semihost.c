@@ -2,7 +2,11 @@
 
 #include <stdint.h>
 
-enum { SYS_WRITE0 = 0x04, SYS_EXIT_EXTENDED = 0x20, APPLICATION_EXIT = 0x20026 };
+enum {
+  SYS_WRITE0 = 0x04,
+  SYS_EXIT_EXTENDED = 0x20,
+  APPLICATION_EXIT = 0x20026
+};
 
 static char line[128];
 static unsigned used;

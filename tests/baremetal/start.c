@@ -10,18 +10,15 @@ void reset(void);
 void reset(void) {
   const uint32_t *from = data_image;
   uint32_t *to;
-  for (to = data_start; to < data_end; to++)
-    *to = *from++;
-  for (to = bss_start; to < bss_end; to++)
-    *to = 0;
+  for (to = data_start; to < data_end; to++) *to = *from++;
+  for (to = bss_start; to < bss_end; to++) *to = 0;
   semihost_exit(main());
 }
 
 /* Without this a fault would only show as a time-out. */
 static void fault(void) {
   const char *text = "processor fault\n";
-  for (; *text != '\0'; text++)
-    semihost_char(*text);
+  for (; *text != '\0'; text++) semihost_char(*text);
   semihost_exit(3);
 }
 

@@ -6,14 +6,21 @@
 /* README: begin */
 #include "fixcast/fixcast.h"
 
-enum { WIDTH = 128, HEIGHT = 128, ROWS = 8 };
+enum {
+  WIDTH = 128,
+  HEIGHT = 128,
+  ROWS = 8
+};
 
 int draw(void (*send)(const uint8_t *bytes, size_t count)) {
   static int64_t memory[12]; /* fc_frame_memory(&s1, NULL) says how many bytes */
   static uint16_t pixels[WIDTH * ROWS], depth[WIDTH * ROWS], primitive[WIDTH * ROWS];
   fc_frame frame;
-  fc_target strip = {.pixels = pixels, .pitch_bytes = WIDTH * 2, .format = FC_RGB565_BE,
-                     .depth = depth, .primitive = primitive};
+  fc_target strip = {.pixels = pixels,
+                     .pitch_bytes = WIDTH * 2,
+                     .format = FC_RGB565_BE,
+                     .depth = depth,
+                     .primitive = primitive};
   int error = fc_frame_setup(&frame, &s1, &s1_camera, NULL, WIDTH, HEIGHT, memory, sizeof memory);
   for (uint16_t y = 0; error == FC_OK && y < HEIGHT; y += ROWS) {
     error = fc_render_rows(&frame, y, ROWS, &strip);

@@ -23,21 +23,22 @@
 extern const fc_scene SCENE;
 extern const fc_camera CAMERA;
 
-enum { STRIP_ROWS = 8, MEMORY_BYTES = 24 * 1024 };
+enum {
+  STRIP_ROWS = 8,
+  MEMORY_BYTES = 24 * 1024
+};
 
 static int64_t memory[MEMORY_BYTES / 8];
 static uint8_t pixels[STRIP_ROWS * WIDTH * 2];
 static uint16_t depth[STRIP_ROWS * WIDTH], primitive[STRIP_ROWS * WIDTH];
 
 static void put(const char *text) {
-  for (; *text != '\0'; text++)
-    PUT(*text);
+  for (; *text != '\0'; text++) PUT(*text);
 }
 
 static void put_hex(uint32_t value) {
   int i;
-  for (i = 28; i >= 0; i -= 4)
-    PUT("0123456789abcdef"[(value >> i) & 15]);
+  for (i = 28; i >= 0; i -= 4) PUT("0123456789abcdef"[(value >> i) & 15]);
 }
 
 /* zlib's CRC-32, bit by bit. */
@@ -46,8 +47,7 @@ static uint32_t crc32(uint32_t crc, const uint8_t *bytes, size_t count) {
   while (count-- > 0) {
     int bit;
     crc ^= *bytes++;
-    for (bit = 0; bit < 8; bit++)
-      crc = (crc >> 1) ^ ((crc & 1) != 0 ? UINT32_C(0xedb88320) : 0);
+    for (bit = 0; bit < 8; bit++) crc = (crc >> 1) ^ ((crc & 1) != 0 ? UINT32_C(0xedb88320) : 0);
   }
   return ~crc;
 }

@@ -4,13 +4,9 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-static void test_holds(void) {
-  TEST_ASSERT_EQUAL_INT32(1, 1);
-}
+static void test_holds(void) { TEST_ASSERT_EQUAL_INT32(1, 1); }
 
-static void test_fails(void) {
-  TEST_ASSERT_EQUAL_INT32(1, 2);
-}
+static void test_fails(void) { TEST_ASSERT_EQUAL_INT32(1, 2); }
 
 int main(void) {
   UNITY_BEGIN();

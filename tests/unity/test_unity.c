@@ -24,12 +24,8 @@ static void capture(int c) {
 #include "unity.h"
 
 static int set_up_calls, tear_down_calls, after_failure;
-void setUp(void) {
-  set_up_calls++;
-}
-void tearDown(void) {
-  tear_down_calls++;
-}
+void setUp(void) { set_up_calls++; }
+void tearDown(void) { tear_down_calls++; }
 
 static const int32_t small[3] = {1, -2, 3}, other[3] = {1, -2, 4};
 static const uint8_t bytes_a[4] = {1, 2, 3, 0xff}, bytes_b[4] = {1, 2, 3, 0xfe};
@@ -68,14 +64,19 @@ static int object;
   CASE(uint64, TEST_ASSERT_EQUAL_UINT64(UINT64_MAX, UINT64_MAX), TEST_ASSERT_EQUAL_UINT64(UINT64_MAX, 0), \
        "Expected 18446744073709551615 Was 0") \
   CASE(size, TEST_ASSERT_EQUAL_size_t(3, 3), TEST_ASSERT_EQUAL_size_t(3, 4), "Expected 3 Was 4") \
-  CASE(hex8, TEST_ASSERT_EQUAL_HEX8(0xa5, 0xa5), TEST_ASSERT_EQUAL_HEX8(0xa5, 0x5a), "Expected 0xA5 Was 0x5A") \
+  CASE(hex8, TEST_ASSERT_EQUAL_HEX8(0xa5, 0xa5), TEST_ASSERT_EQUAL_HEX8(0xa5, 0x5a), \
+       "Expected 0xA5 Was 0x5A") \
   CASE(hex16, TEST_ASSERT_EQUAL_HEX16(0xa5, 0xa5), TEST_ASSERT_EQUAL_HEX16(0xa5, 1), "0x00A5 Was 0x0001") \
   CASE(hex32, TEST_ASSERT_EQUAL_HEX32(0xdeadbeef, 0xdeadbeef), TEST_ASSERT_EQUAL_HEX32(0xdeadbeef, 1), \
        "Expected 0xDEADBEEF Was 0x00000001") \
-  CASE(hex64, TEST_ASSERT_EQUAL_HEX64(1, 1), TEST_ASSERT_EQUAL_HEX64(1, UINT64_MAX), "Was 0xFFFFFFFFFFFFFFFF") \
-  CASE(not_equal, TEST_ASSERT_NOT_EQUAL(1, 2), TEST_ASSERT_NOT_EQUAL(2, 2), "Expected 2 to be not equal to 2") \
-  CASE(gt, TEST_ASSERT_GREATER_THAN(-1, 0), TEST_ASSERT_GREATER_THAN(0, 0), "Expected 0 to be greater than 0") \
-  CASE(gt_sign, TEST_ASSERT_GREATER_THAN_INT64(-1, 0), TEST_ASSERT_GREATER_THAN_INT64(0, -1), "Expected -1 to") \
+  CASE(hex64, TEST_ASSERT_EQUAL_HEX64(1, 1), TEST_ASSERT_EQUAL_HEX64(1, UINT64_MAX), \
+       "Was 0xFFFFFFFFFFFFFFFF") \
+  CASE(not_equal, TEST_ASSERT_NOT_EQUAL(1, 2), TEST_ASSERT_NOT_EQUAL(2, 2), \
+       "Expected 2 to be not equal to 2") \
+  CASE(gt, TEST_ASSERT_GREATER_THAN(-1, 0), TEST_ASSERT_GREATER_THAN(0, 0), \
+       "Expected 0 to be greater than 0") \
+  CASE(gt_sign, TEST_ASSERT_GREATER_THAN_INT64(-1, 0), TEST_ASSERT_GREATER_THAN_INT64(0, -1), \
+       "Expected -1 to") \
   CASE(gt_unsigned, TEST_ASSERT_GREATER_THAN_UINT64(1, UINT64_MAX), \
        TEST_ASSERT_GREATER_THAN_UINT64(UINT64_MAX, 1), "Expected 1 to be greater than 18446744073709551615") \
   CASE(lt, TEST_ASSERT_LESS_THAN(1, 0), TEST_ASSERT_LESS_THAN(0, 0), "Expected 0 to be less than 0") \
@@ -96,7 +97,8 @@ static int object;
   CASE(string, TEST_ASSERT_EQUAL_STRING("abc", "abc"), TEST_ASSERT_EQUAL_STRING("abc", "abd"), \
        "Expected 'abc' Was 'abd'") \
   CASE(string_prefix, TEST_ASSERT_EQUAL_STRING("", ""), TEST_ASSERT_EQUAL_STRING("abc", "ab"), "Was 'ab'") \
-  CASE(string_null, TEST_ASSERT_EQUAL_STRING(NULL, NULL), TEST_ASSERT_EQUAL_STRING("abc", NULL), "Was 'NULL'") \
+  CASE(string_null, TEST_ASSERT_EQUAL_STRING(NULL, NULL), TEST_ASSERT_EQUAL_STRING("abc", NULL), \
+       "Was 'NULL'") \
   CASE(memory, TEST_ASSERT_EQUAL_MEMORY(bytes_a, bytes_b, 3), TEST_ASSERT_EQUAL_MEMORY(bytes_a, bytes_b, 4), \
        "Element 3 Expected 0xFF Was 0xFE") \
   CASE(array_empty, TEST_ASSERT_EQUAL_UINT8_ARRAY(bytes_a, bytes_b, 1), \
@@ -105,8 +107,8 @@ static int object;
        TEST_ASSERT_EQUAL_UINT8_ARRAY(bytes_a, NULL, 4), "NULL") \
   CASE(array8, TEST_ASSERT_EQUAL_INT8_ARRAY(bytes_a, bytes_b, 3), \
        TEST_ASSERT_EQUAL_INT8_ARRAY(bytes_a, bytes_b, 4), "Element 3 Expected -1 Was -2") \
-  CASE(array32, TEST_ASSERT_EQUAL_INT32_ARRAY(small, other, 2), TEST_ASSERT_EQUAL_INT32_ARRAY(small, other, 3), \
-       "Element 2 Expected 3 Was 4") \
+  CASE(array32, TEST_ASSERT_EQUAL_INT32_ARRAY(small, other, 2), \
+       TEST_ASSERT_EQUAL_INT32_ARRAY(small, other, 3), "Element 2 Expected 3 Was 4") \
   CASE(array64, TEST_ASSERT_EQUAL_INT64_ARRAY(wide_a, wide_a, 2), \
        TEST_ASSERT_EQUAL_INT64_ARRAY(wide_a, wide_b, 2), "Element 0 Expected -9223372036854775808") \
   CASE(array_hex, TEST_ASSERT_EQUAL_HEX32_ARRAY(small, small, 3), \
@@ -115,9 +117,7 @@ static int object;
   CASE(fail_message, TEST_ASSERT(1), TEST_FAIL_MESSAGE("why"), "FAIL: why")
 
 #define CASE(name, holding, failing, text) \
-  static void holds_##name(void) { \
-    holding; \
-  } \
+  static void holds_##name(void) { holding; } \
   static void fails_##name(void) { \
     failing; \
     after_failure++; \
@@ -125,9 +125,7 @@ static int object;
 CASES
 #undef CASE
 
-static void ignored(void) {
-  TEST_IGNORE_MESSAGE("later");
-}
+static void ignored(void) { TEST_IGNORE_MESSAGE("later"); }
 
 #ifndef UNITY_EXCLUDE_SETJMP_H
 static int helper(int x) {
@@ -147,16 +145,14 @@ static int checks, wrong;
 static int contains(const char *text, const char *part) {
   for (; *text != '\0'; text++) {
     int i = 0;
-    while (part[i] != '\0' && part[i] == text[i])
-      i++;
+    while (part[i] != '\0' && part[i] == text[i]) i++;
     if (part[i] == '\0') return 1;
   }
   return 0;
 }
 
 static void report(const char *text) {
-  for (; *text != '\0'; text++)
-    REPORT_CHAR(*text);
+  for (; *text != '\0'; text++) REPORT_CHAR(*text);
 }
 
 static void judge(int right, const char *name, const char *what) {
@@ -216,8 +212,7 @@ int main(void) {
   captured_length = 0;
   i = unity_end();
   judge(i == (int)Unity.failures && contains(captured, "\nFAIL\n"), "end", "did not report the failures");
-  for (i = 0; i < 300; i++)
-    run(fails_fail, "many");
+  for (i = 0; i < 300; i++) run(fails_fail, "many");
   judge(unity_end() == 255, "end", "more than 255 failures must not wrap around to an exit code of 0");
 
   UNITY_BEGIN();

@@ -78,8 +78,7 @@ static unity_state Unity;
 /* ---- printing ---- */
 
 UNITY_FN_ void unity_print(const char *text) {
-  for (; *text != '\0'; text++)
-    UNITY_OUTPUT_CHAR(*text);
+  for (; *text != '\0'; text++) UNITY_OUTPUT_CHAR(*text);
 }
 
 UNITY_FN_ void unity_print_unsigned(uint64_t value) {
@@ -89,8 +88,7 @@ UNITY_FN_ void unity_print_unsigned(uint64_t value) {
     digits[n++] = (char)('0' + (int)(value % 10u));
     value /= 10u;
   } while (value != 0);
-  while (n > 0)
-    UNITY_OUTPUT_CHAR(digits[--n]);
+  while (n > 0) UNITY_OUTPUT_CHAR(digits[--n]);
 }
 
 UNITY_FN_ void unity_print_signed(int64_t value) {
@@ -135,8 +133,18 @@ UNITY_FN_ void unity_fail_end(const char *message) {
 
 /* ---- assertions: each returns 1 when it holds, else prints why not and returns 0 ---- */
 
-enum { UNITY_EQ, UNITY_NE, UNITY_GT, UNITY_LT, UNITY_GE, UNITY_LE };
-enum { UNITY_SIGNED = 0, UNITY_UNSIGNED = -1 }; /* styles; a positive style is hexadecimal digits */
+enum {
+  UNITY_EQ,
+  UNITY_NE,
+  UNITY_GT,
+  UNITY_LT,
+  UNITY_GE,
+  UNITY_LE
+};
+enum {
+  UNITY_SIGNED = 0,
+  UNITY_UNSIGNED = -1
+}; /* styles; a positive style is hexadecimal digits */
 
 UNITY_FN_ void unity_print_number(uint64_t bits, int style) {
   if (style > 0)
@@ -227,17 +235,17 @@ UNITY_FN_ int unity_string(const char *expected, const char *actual, unsigned li
 UNITY_FN_ uint64_t unity_element(const void *array, size_t i, size_t bytes, int style) {
   if (style == UNITY_SIGNED) {
     switch (bytes) {
-    case 1: return (uint64_t)((const int8_t *)array)[i];
-    case 2: return (uint64_t)((const int16_t *)array)[i];
-    case 4: return (uint64_t)((const int32_t *)array)[i];
-    default: return (uint64_t)((const int64_t *)array)[i];
+      case 1: return (uint64_t)((const int8_t *)array)[i];
+      case 2: return (uint64_t)((const int16_t *)array)[i];
+      case 4: return (uint64_t)((const int32_t *)array)[i];
+      default: return (uint64_t)((const int64_t *)array)[i];
     }
   }
   switch (bytes) {
-  case 1: return ((const uint8_t *)array)[i];
-  case 2: return ((const uint16_t *)array)[i];
-  case 4: return ((const uint32_t *)array)[i];
-  default: return ((const uint64_t *)array)[i];
+    case 1: return ((const uint8_t *)array)[i];
+    case 2: return ((const uint16_t *)array)[i];
+    case 4: return ((const uint32_t *)array)[i];
+    default: return ((const uint64_t *)array)[i];
   }
 }
 
@@ -324,16 +332,19 @@ UNITY_FN_ void unity_ignore(unsigned line, const char *message) {
 
 #define UNITY_REQUIRE_(holds) \
   do { \
-    if (!(holds)) { TEST_ABORT(); } \
+    if (!(holds)) { \
+      TEST_ABORT(); \
+    } \
   } while (0)
-#define UNITY_COND_(holds, what, message) UNITY_REQUIRE_(unity_condition((holds), (what), __LINE__, (message)))
+#define UNITY_COND_(holds, what, message) \
+  UNITY_REQUIRE_(unity_condition((holds), (what), __LINE__, (message)))
 /* The cast through the assertion's own type cuts or extends both sides alike, as Unity does. */
 #define UNITY_CMP_(type, style, relation, reference, actual, message) \
   UNITY_REQUIRE_(unity_compare((uint64_t)(type)(reference), (uint64_t)(type)(actual), (relation), (style), \
                                __LINE__, (message)))
 #define UNITY_WITHIN_(type, style, delta, expected, actual, message) \
-  UNITY_REQUIRE_(unity_within((uint64_t)(delta), (uint64_t)(type)(expected), (uint64_t)(type)(actual), (style), \
-                              __LINE__, (message)))
+  UNITY_REQUIRE_(unity_within((uint64_t)(delta), (uint64_t)(type)(expected), (uint64_t)(type)(actual), \
+                              (style), __LINE__, (message)))
 #define UNITY_ARRAY_(style, bytes, expected, actual, count, message) \
   UNITY_REQUIRE_(unity_array((expected), (actual), (size_t)(count), (bytes), (style), __LINE__, (message)))
 
@@ -811,7 +822,8 @@ UNITY_FN_ void unity_ignore(unsigned line, const char *message) {
   UNITY_ARRAY_(16, sizeof(uint64_t), expected, actual, count, NULL)
 
 /* Unity's short names mean int. */
-#define TEST_ASSERT_EQUAL_MESSAGE(expected, actual, message) TEST_ASSERT_EQUAL_INT_MESSAGE(expected, actual, message)
+#define TEST_ASSERT_EQUAL_MESSAGE(expected, actual, message) \
+  TEST_ASSERT_EQUAL_INT_MESSAGE(expected, actual, message)
 #define TEST_ASSERT_EQUAL(expected, actual) TEST_ASSERT_EQUAL_INT(expected, actual)
 #define TEST_ASSERT_NOT_EQUAL_MESSAGE(expected, actual, message) \
   TEST_ASSERT_NOT_EQUAL_INT_MESSAGE(expected, actual, message)
