@@ -107,6 +107,7 @@ private:
     }
     if (best_rank == 0) row.sums.wrong_id++;
     if (best_rank == 1) row.sums.wrong_shadow++;
+    if (best_rank > 0 && best->object != 0) count_light_tests(picture_.lit[i], best->lit, row.sums);
     if (best_rank < 2) {
       const OracleAnswer &first = truth.answers.front();
       row.sums.wrong.push_back(
@@ -116,6 +117,16 @@ private:
     row.sums.colour_max = std::max(row.sums.colour_max, best_error.largest);
     if (best_rank > 0 && best->depth > 0)
       row.sums.depth_rel_max = std::max(row.sums.depth_rel_max, depth_error(picture_.depth[i], best->depth));
+  }
+
+  void count_light_tests(std::uint32_t core_lit, std::uint32_t true_lit, Comparison &sums) const {
+    const std::size_t lights = std::min<std::size_t>(lights_, 31); /* the core's last bit may stand for several */
+    sums.light_tests += lights;
+    for (std::size_t light = 0; light < lights; light++) {
+      const bool core = (core_lit >> light & 1) != 0, truth = (true_lit >> light & 1) != 0;
+      if (truth && !core) sums.false_shadows++;
+      if (core && !truth) sums.leaks++;
+    }
   }
 
   double depth_error(std::uint16_t code, double true_z) const {
@@ -130,6 +141,9 @@ private:
       const Comparison &r = row.sums;
       sum.wrong_id += r.wrong_id;
       sum.wrong_shadow += r.wrong_shadow;
+      sum.light_tests += r.light_tests;
+      sum.false_shadows += r.false_shadows;
+      sum.leaks += r.leaks;
       sum.escalated += r.escalated;
       sum.ties += r.ties;
       sum.colour_max = std::max(sum.colour_max, r.colour_max);

@@ -24,6 +24,10 @@ struct WrongPixel {
 struct Comparison {
   std::size_t wrong_id = 0;     /* pixels of another object */
   std::size_t wrong_shadow = 0; /* pixels of the right object lit by other lights */
+  /* Over pixels of the right object and the lights of the first 32: */
+  std::size_t light_tests = 0;   /* surface pixels times lights */
+  std::size_t false_shadows = 0; /* lit, but the core says not: acne */
+  std::size_t leaks = 0;         /* not lit, but the core says so */
   double colour_rmse = 0;       /* over all channels of all pixels, in 8-bit levels */
   double colour_max = 0;
   double depth_rel_max = 0; /* |z - true z| / true z over surface pixels of the right object */

@@ -3,9 +3,11 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "commands.h"
 #include "compare.h"
+#include "depth_format.h"
 #include "edge_distance.h"
 #include "frame_run.h"
 #include "progress.h"
@@ -17,14 +19,21 @@ namespace {
 
 struct CompareOptions : SceneOptions {
   bool verbose = false, check = false;
+  std::string depth_format;
 };
+
+double per_million(std::size_t count, std::size_t of) {
+  return of == 0 ? 0 : 1e6 * static_cast<double>(count) / static_cast<double>(of);
+}
 
 std::string json_text(const Comparison &c) {
   return ", \"wrong_id\": " + std::to_string(c.wrong_id) +
          ", \"wrong_shadow\": " + std::to_string(c.wrong_shadow) +
          ", \"colour_rmse\": " + number_text(c.colour_rmse) +
          ", \"colour_max\": " + number_text(c.colour_max) +
-         ", \"depth_rel_max\": " + number_text(c.depth_rel_max);
+         ", \"depth_rel_max\": " + number_text(c.depth_rel_max) +
+         ", \"false_shadow_ppm\": " + number_text(per_million(c.false_shadows, c.light_tests)) +
+         ", \"leak_ppm\": " + number_text(per_million(c.leaks, c.light_tests));
 }
 
 std::string summary(const Comparison &c) {
@@ -32,7 +41,33 @@ std::string summary(const Comparison &c) {
   (void)std::snprintf(text, sizeof text,
                       "; colour error %.3f RMSE, %.3f largest (8-bit levels); depth error %.3g\n",
                       c.colour_rmse, c.colour_max, c.depth_rel_max);
-  return count_text(c.wrong_id, "wrong id") + ", " + count_text(c.wrong_shadow, "wrong shadow") + text;
+  return count_text(c.wrong_id, "wrong id") + ", " + count_text(c.wrong_shadow, "wrong shadow") + text +
+         number_text(per_million(c.false_shadows, c.light_tests)) + " false shadows and " +
+         number_text(per_million(c.leaks, c.light_tests)) + " leaks per million pixels and lights\n";
+}
+
+/* --depth-format: what a z-buffer of that format would do without the exact tie rule. */
+std::string depth_text(const CompareOptions &options, const Oracle &oracle, const LoadedScene &scene) {
+  if (options.depth_format.empty()) return "";
+  for (const NamedDepthFormat &named : depth_formats()) {
+    if (options.depth_format != named.name) continue;
+    const WrongOrder wrong = wrong_order(oracle, scene.width, scene.height, named.format);
+    if (options.json)
+      return ", \"depth_format\": \"" + options.depth_format +
+             "\", \"wrong_order\": " + std::to_string(wrong.pixels);
+    char range[80];
+    (void)std::snprintf(range, sizeof range, " (depths %.4g to %.4g)\n", wrong.near, wrong.far);
+    return "a z-buffer of " + options.depth_format + " without a tie rule: " +
+           count_text(wrong.pixels, "pixel") + " in the wrong order" + range;
+  }
+  return "";
+}
+
+std::vector<std::string> depth_format_names() {
+  std::vector<std::string> names;
+  for (const NamedDepthFormat &named : depth_formats())
+    names.push_back(named.name);
+  return names;
 }
 
 std::string distance_text(double px) {
@@ -72,8 +107,10 @@ int run_compare(const CompareOptions &options) {
   const FrameCounts counts = count(pictures.rgb565);
   const Oracle oracle(scene.file, scene.width, scene.height);
   const Comparison comparison = compare(scene.file, oracle, frame, pictures.rgb888);
-  const std::string text = options.json ? "{" + frame_json(scene, counts) + json_text(comparison) + "}\n"
-                                        : frame_summary(scene, counts) + summary(comparison);
+  const std::string depth = depth_text(options, oracle, scene);
+  const std::string text = options.json
+                               ? "{" + frame_json(scene, counts) + json_text(comparison) + depth + "}\n"
+                               : frame_summary(scene, counts) + summary(comparison) + depth;
   (void)std::fputs(text.c_str(), stdout);
   if (options.verbose) /* stdout stays one JSON object */
     list_wrong_pixels(options.json ? stderr : stdout, oracle, comparison, scene.file.lights.size());
@@ -91,6 +128,10 @@ void add_compare_command(CLI::App &app, Action &action) {
   add_offset_option(*command, *options);
   command->add_flag("-v,--verbose", options->verbose,
                     "list each wrong pixel and its distance from the true edge");
+  command
+      ->add_option("--depth-format", options->depth_format,
+                   "also count the pixels that a z-buffer of this format alone would get wrong")
+      ->check(CLI::IsMember(depth_format_names()));
   command->add_flag("--check", options->check,
                     "exit with 1 unless ids and shadows are right and colours within 1");
   add_json_option(*command, *options);

@@ -76,9 +76,6 @@ std::string load(const std::string &path)
   if (error != 0) {
     fail(path, "cannot read: " + std::generic_category().message(error) + "; check the file and its disk");
   }
-  if (text.empty()) {
-    fail(path, 1, "the file is empty; a scene needs at least a v block");
-  }
   if (text.size() > max_file_bytes) {
     fail(path, "larger than 256 MiB; check that this is a scene, or split it");
   }
@@ -156,9 +153,11 @@ class Reader {
 public:
   explicit Reader(const std::string &path) : path_(path) {}
 
-  SceneFile read()
+  SceneFile read(std::string_view text)
   {
-    const std::string text = load(path_);
+    if (text.empty()) {
+      fail(path_, 1, "the file is empty; a scene needs at least a v block");
+    }
     const std::vector<std::string_view> lines = split_lines(path_, text);
     scene_.path = path_;
     scene_.ambient.r = scene_.ambient.g = scene_.ambient.b = Number{"0.1", 0.1L};
@@ -658,7 +657,12 @@ private:
 
 SceneFile read_nff(const std::string &path)
 {
-  return Reader(path).read();
+  return read_nff_text(path, load(path));
+}
+
+SceneFile read_nff_text(const std::string &name, std::string_view text)
+{
+  return Reader(name).read(text);
 }
 
 } // namespace host

@@ -194,6 +194,7 @@ struct Oracle::State {
   State(const SceneFile &scene, int width, int height);
 
   OraclePixel pixel(int x, int y, double dx, double dy) const;
+  std::vector<OracleSurface> surfaces(int x, int y) const;
 
 private:
   /* One pixel's ray, with the 256-bit version made on demand. */
@@ -312,7 +313,7 @@ void Oracle::State::set_camera(const SceneFile &scene) {
   const int side = std::min(width_, height_);
   const Wide distance = camera.tan_half_fov
                             ? whole(side) / number(*camera.tan_half_fov)
-                            : whole(side - 1) / Wide::tan_half_degrees(number(camera.angle_degrees));
+                            : whole(std::max(side - 1, 1)) / Wide::tan_half_degrees(number(camera.angle_degrees));
   const Vec<Wide> forward = vector(camera.at) - vector(camera.from);
   const Vec<Wide> right = cross(forward, vector(camera.up));
   const Wide forward_length = root(dot(forward, forward)), right_length = root(dot(right, right));
@@ -631,6 +632,32 @@ OraclePixel Oracle::State::pixel(int x, int y, double dx, double dy) const {
   return out;
 }
 
+std::vector<OracleSurface> Oracle::State::surfaces(int x, int y) const {
+  const Ray ray{2.0L * x + 1 - width_, height_ - 2.0L * y - 1, 0, 0, Line<Ball>({}, {}), std::nullopt};
+  const Line<Ball> line = make_line(ball_, ray);
+  const long double length = root(dot(line.dir, line.dir)).mid(), far = root(ball_.far2).mid();
+  std::vector<std::pair<int, OracleSurface>> found;
+  const auto look_at = [&](int shape, double &) {
+    const auto i = static_cast<std::size_t>(shape);
+    Hit<Ball> hit;
+    if (meets(ball_.shapes[i], reaches(ball_.shapes[i], eye_sides_[i], line, hit), line).value) {
+      const long double t = hit.num.mid() / hit.den.mid();
+      if (!has_far_ || t * length <= far)
+        found.push_back({shape, {surfaces_[i].object, static_cast<double>(t * depth_factor_)}});
+    }
+    return true;
+  };
+  double unused = 0;
+  for (int shape : planes_)
+    look_at(shape, unused);
+  tree_.walk(doubles(line.apex), doubles(line.dir), 0, HUGE_VAL, look_at);
+  std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) { return a.first < b.first; });
+  std::vector<OracleSurface> out;
+  for (const auto &[shape, surface] : found)
+    out.push_back(surface);
+  return out;
+}
+
 Oracle::Oracle(const SceneFile &scene, int width, int height)
     : state_(std::make_unique<State>(scene, width, height)) {}
 
@@ -638,6 +665,10 @@ Oracle::~Oracle() = default;
 
 OraclePixel Oracle::pixel(int x, int y, double dx, double dy) const {
   return state_->pixel(x, y, dx, dy);
+}
+
+std::vector<OracleSurface> Oracle::surfaces(int x, int y) const {
+  return state_->surfaces(x, y);
 }
 
 } // namespace host

@@ -33,6 +33,12 @@ struct OraclePixel {
   bool tie = false;
 };
 
+/* A surface that a ray meets, hidden or not. */
+struct OracleSurface {
+  std::uint16_t object = 0;
+  double depth = 0; /* camera z, world units */
+};
+
 class Oracle {
 public:
   Oracle(const SceneFile &scene, int width, int height);
@@ -43,6 +49,10 @@ public:
   /* The ray through (x + 0.5 + dx, y + 0.5 + dy) in pixels, y downwards; dx = dy = 0 is the pixel's centre.
    * Safe to call from several threads at once. */
   OraclePixel pixel(int x, int y, double dx = 0, double dy = 0) const;
+
+  /* Every surface that the ray through the pixel's centre meets in front of the eye (a sphere's near side only), within the
+   * far limit, in the order of the file: spheres, planes, polygons. Depths to the precision of long double. */
+  std::vector<OracleSurface> surfaces(int x, int y) const;
 
 private:
   struct State;

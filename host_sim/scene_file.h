@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace host {
@@ -112,6 +113,9 @@ public:
 
 /* Reads Haines' Neutral File Format with the "#fc:" extensions. Throws UserError. */
 SceneFile read_nff(const std::string &path);
+
+/* The same from memory; `name` stands for the file in messages and in SceneFile::path. */
+SceneFile read_nff_text(const std::string &name, std::string_view text);
 
 } // namespace host
 

@@ -14,8 +14,8 @@ typedef enum fc_fov_rule {
 /*
  * The picture looks from `eye` towards `target`; its right is (target - eye) x up. Pixel (x, y) of a W x H
  * picture, (0, 0) at the top left, looks through its centre: along
- *   ((2x+1-W) right + (H-2y-1) up') tan / S + forward,   S = min(W, H)   (FC_FOV_EDGES; S - 1 with FC_FOV_CENTRES)
- * so the field of view spans the shorter side and pixels are square.
+ *   ((2x+1-W) right + (H-2y-1) up') tan / S + forward,   S = min(W, H)   (FC_FOV_EDGES; S - 1, at least 1, with FC_FOV_CENTRES)
+ * so the field of view spans the shorter side and pixels are square. Read through FC_READ: may live in flash.
  */
 typedef struct fc_camera {
   fc_vec3 eye, target; /* times 2^exponent, in world coordinates */

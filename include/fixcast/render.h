@@ -25,8 +25,8 @@ extern "C" {
 typedef struct fc_options {
   uint8_t offset_rule;   /* fc_offset_rule for shadow tests */
   uint8_t depth_exponent_bits; /* 0: by the scene's depth range; or 2, 3, 4 */
-  int8_t epsilon_exponent;
-  int32_t epsilon;       /* FC_OFFSET_EPSILON: epsilon * 2^epsilon_exponent world coordinates */
+  int8_t epsilon_exponent; /* -31..31 */
+  int32_t epsilon;       /* FC_OFFSET_EPSILON: epsilon * 2^epsilon_exponent world coordinates; 0..FC_COORDINATE_MAX */
 } fc_options;
 
 /* World to camera: right, up, forward as rows, and where the eye is. Private. */

@@ -2,7 +2,7 @@
  * Renders one baked scene strip by strip, as a chip with little RAM does, and prints a line of crc.txt:
  * scene, size, CRC of the RGB565 big-endian frame. The same file runs on the host and on emulated chips.
  *
- * -DSCENE=s1 -DWIDTH=128 -DHEIGHT=128
+ * -DSCENE=s1 -DWIDTH=128 -DHEIGHT=128; for very small chips also -DSTRIP_ROWS=1 -DMEMORY_BYTES=2048
  */
 #include "fixcast/fixcast.h"
 
@@ -23,10 +23,12 @@
 extern const fc_scene SCENE;
 extern const fc_camera CAMERA;
 
-enum {
-  STRIP_ROWS = 8,
-  MEMORY_BYTES = 24 * 1024
-};
+#ifndef STRIP_ROWS
+#define STRIP_ROWS 8
+#endif
+#ifndef MEMORY_BYTES
+#define MEMORY_BYTES 24576
+#endif
 
 static int64_t memory[MEMORY_BYTES / 8];
 static uint8_t pixels[STRIP_ROWS * WIDTH * 2];
