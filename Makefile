@@ -1,6 +1,6 @@
 # The front door for people. How things are built stands in CMakeLists.txt alone.
 .DEFAULT_GOAL := help
-.PHONY: help build demo test golden-update clean
+.PHONY: help build demo test report golden-update clean
 BUILD := build
 MAKEFLAGS += --no-print-directory
 JOBS := $(shell nproc 2>/dev/null || echo 2)
@@ -25,6 +25,11 @@ test: ## build everything and run all tests, those on emulated chips too (some m
 	@$(CONFIGURE) >/dev/null
 	@cmake --build $(BUILD) --parallel $(JOBS)
 	@cd $(BUILD) && ctest --output-on-failure -j $(JOBS)
+
+report: ## measure every scene's accuracy and rewrite docs/REPORT.md
+	@.ci/install demo
+	@$(MAKE) build
+	@python3 host_sim/report.py $(BUILD)/fixcast docs/REPORT.md
 
 golden-update: ## rewrite tests/golden/crc.txt from what the simulator renders now
 	@.ci/install demo

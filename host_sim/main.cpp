@@ -39,6 +39,7 @@ int run(int argc, char **argv) {
   host::add_compare_command(app, action);
   host::add_pick_command(app, action);
   host::add_bake_command(app, action);
+  host::add_depths_command(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &error) {

@@ -213,9 +213,31 @@ def flake():
     return lines + [matte("0.55 0.55 0.5"), "#fc: plane 0 1 0 0"]
 
 
+def fight():
+    orange, blue = matte("0.95 0.55 0.1"), matte("0.12 0.25 0.6")
+    lines = header("Z-fighting: in each cell an orange card in front of a blue one. Rows from the top: 4, 40, 400 and",
+                   "4000 units away; columns from the left: the gap is 2^-8, 2^-9, ... 2^-15 of the distance.",
+                   "Blue comes first in the file, so a z-buffer that can't tell the two apart shows blue.",
+                   "A small ball one unit from the eye stretches the depth range. Objects: 1 ball, 2 blue, 3 orange.")
+    lines += camera("0 0 0", "0 0 -1", "0 1 0", "1/2", 240)
+    lines += ["b 0.05 0.05 0.08", "#fc: ambient 1", matte("0.8 0.8 0.8"), "#fc: object 1", "s 0 0 -1.0625 0.0625"]
+    cards = {"#fc: object 2": [blue], "#fc: object 3": [orange]}
+    for row, distance in enumerate((4, 40, 400, 4000)):
+        for column in range(8):
+            for (name, card), z, half in zip(cards.items(), (distance, distance * (1 - Fraction(1, 2 ** (8 + column)))),
+                                             (Fraction(1, 20), Fraction(1, 28))):
+                x, y = Fraction(2 * column - 7, 17), Fraction(3 - 2 * row, 9)
+                corners = [((x + u * half) * z, (y + v * half * Fraction(3, 2)) * z, -z)
+                           for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+                card += quad(*corners)
+    for name, card in cards.items():
+        lines += [name] + card
+    return lines
+
+
 def main():
     directory = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
-    for scene in (s1, s1r, s2, box, flake):
+    for scene in (s1, s1r, s2, box, flake, fight):
         path = os.path.join(directory, scene.__name__ + ".nff")
         with open(path, "w", encoding="ascii", newline="\n") as file:
             file.write("\n".join(scene()) + "\n")

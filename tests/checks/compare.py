@@ -30,8 +30,9 @@ def check_scene(simulator, scene, report):
 
     large = fixcast_json(simulator, "compare", path, "--size", "240x240")
     print(f"{scene} 240x240: {large}", flush=True)
-    report.at_most(f"{scene} 240x240 wrong_id", 1, large["wrong_id"])
-    report.at_most(f"{scene} 240x240 wrong_shadow", 2, large["wrong_shadow"])
+    report.equal(f"{scene} 240x240 wrong_id", 0, large["wrong_id"])
+    report.equal(f"{scene} 240x240 wrong_shadow", 0, large["wrong_shadow"])
+    report.at_most(f"{scene} 240x240 colour_max", 1.0, large["colour_max"])
 
 
 def check_world_scale(simulator, report):
@@ -42,11 +43,33 @@ def check_world_scale(simulator, report):
         report.equal(f"CRC of s1 with --world-scale {scale}", crc, scaled["crc32"])
 
 
+def check_rules(simulator, report):
+    """The knobs that show a fault do show it, and the oracle sees it."""
+    s1, fight = SCENES / "s1.nff", SCENES / "fight.nff"
+
+    def shadows(rule):
+        c = fixcast_json(simulator, "compare", s1, "--size", "128x128", "--offset", rule)
+        return c["wrong_shadow"], c["false_shadow_ppm"] > 0, c["leak_ppm"] > 0
+
+    report.equal("s1 --offset exact", (0, False, False), shadows("exact"))
+    report.equal("s1 --offset residual", (0, False, False), shadows("residual"))
+    report.equal("s1 --offset epsilon=0.002: wrong shadows", 5, shadows("epsilon=0.002")[0])
+    report.equal("s1 --offset epsilon=0.1 has false shadows and leaks", (True, True), shadows("epsilon=0.1")[1:])
+    report.equal("s1 --offset none has acne and no leaks", (True, False), shadows("none")[1:])
+
+    order = {name: fixcast_json(simulator, "compare", fight, "--size", "64x64", "--depth-format", name)
+             for name in ("e2m14", "e4m12", "inverse")}
+    report.equal("fight: fixcast itself is right", [0, 0, 0], [c["wrong_id"] for c in order.values()])
+    report.equal("fight: e4m12 alone confuses some cards, 1/z in equal steps more", True,
+                 0 < order["e4m12"]["wrong_order"] < order["inverse"]["wrong_order"] < order["e2m14"]["wrong_order"])
+
+
 def main(simulator):
     report = Report()
     for scene in scene_names():
         check_scene(simulator, scene, report)
     check_world_scale(simulator, report)
+    check_rules(simulator, report)
     return report.finish()
 
 

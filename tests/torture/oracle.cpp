@@ -1,8 +1,6 @@
 /* Exact answers in GMP. Triangles by Moeller and Trumbore with a real, finite nudge; spheres by Lagrange's identity. */
 #include "oracle.h"
 
-#include <cstdarg>
-
 namespace oracle {
 
 namespace {

@@ -1,0 +1,309 @@
+/* Scenes, cameras and rays of any bits: refused, or rendered the same in any strips and in agreement with fc_pick. */
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "fixcast/fixcast.h"
+#include "fuzz.h"
+
+namespace {
+
+using fuzz::Exact;
+
+/* Values that libFuzzer would be long in finding: any bits, or near a limit, or near a value used before, for
+ * tangents, shared planes and ties. Unless `wild`, they are brought into their documented ranges. */
+class Values {
+public:
+  Values(fuzz::Bytes &in, bool wild) : in_(in), wild_(wild) {}
+
+  std::int32_t coordinate() {
+    const std::uint8_t how = in_.u8();
+    std::int64_t v = 0;
+    if (how < 128) {
+      v = static_cast<std::int32_t>(in_.u32());
+      if (how >= 32) v >>= how % 32; /* of any length */
+    } else if (how < 176) {
+      v = (used_.empty() ? 0 : std::int64_t{used_[in_.u8() % used_.size()]} * (how & 1 ? -1 : 1)) + (how - 152) / 8;
+    } else if (how < 240) {
+      v = how - 208;
+    } else {
+      v = (how & 1 ? -1 : 1) * std::int64_t{FC_COORDINATE_MAX - in_.u8() % 4};
+    }
+    if (!wild_) v = std::clamp<std::int64_t>(v, -FC_COORDINATE_MAX, FC_COORDINATE_MAX);
+    used_.push_back(static_cast<std::int32_t>(std::clamp<std::int64_t>(v, INT32_MIN, INT32_MAX)));
+    return used_.back();
+  }
+  fc_vec3 vector() {
+    const std::int32_t x = coordinate(), y = coordinate(), z = coordinate();
+    return {x, y, z};
+  }
+  std::int8_t exponent(int low, int high) {
+    const std::uint8_t v = in_.u8();
+    if (wild_) return static_cast<std::int8_t>(v);
+    return static_cast<std::int8_t>(v < 128 ? std::clamp(0, low, high) : low + v % (high - low + 1));
+  }
+  std::uint16_t index(std::size_t count) {
+    if (wild_) return in_.u8() & 0x80 ? in_.u16() : in_.u8();
+    return static_cast<std::uint16_t>(count == 0 ? 0 : in_.u8() % count);
+  }
+  fc_rgb colour() {
+    const std::uint16_t r = in_.u16(), g = in_.u16(), b = in_.u16();
+    return {r, g, b};
+  }
+  std::uint8_t choice(int count) { return wild_ ? in_.u8() : static_cast<std::uint8_t>(in_.u8() % count); }
+  bool wild() const { return wild_; }
+
+private:
+  fuzz::Bytes &in_;
+  bool wild_;
+  std::vector<std::int32_t> used_;
+};
+
+/* A scene whose tables each have a heap block of exactly their size. */
+class Scene {
+public:
+  Scene(fuzz::Bytes &in, Values &values)
+      : spheres_(in.u8() % 5), planes_(in.u8() % 4), vertices_(in.u8() % 7), triangles_(in.u8() % 5),
+        materials_(values.wild() ? in.u8() % 3 : 1 + in.u8() % 2), lights_(in.u8() % 4), shapes_(in.u8() % 5) {
+    for (std::size_t i = 0; i < spheres_.count(); i++) {
+      spheres_[i] = {values.vector(), values.coordinate(), values.index(materials_.count()), in.u8()};
+      if (!values.wild()) spheres_[i].radius = std::max(1, std::abs(spheres_[i].radius));
+    }
+    for (std::size_t i = 0; i < planes_.count(); i++) {
+      planes_[i].normal = values.vector();
+      if (!values.wild() && (planes_[i].normal.x | planes_[i].normal.y | planes_[i].normal.z) == 0)
+        planes_[i].normal.y = 1;
+      planes_[i].d = values.coordinate();
+      planes_[i].d_exponent = values.exponent(0, 32);
+      planes_[i].material = values.index(materials_.count());
+      planes_[i].object = in.u8();
+    }
+    for (std::size_t i = 0; i < vertices_.count(); i++) vertices_[i] = values.vector();
+    for (std::size_t i = 0; i < triangles_.count(); i++) {
+      for (std::uint16_t &vertex : triangles_[i].vertex) vertex = values.index(vertices_.count());
+      triangles_[i].material = values.index(materials_.count());
+      triangles_[i].object = in.u8();
+    }
+    for (std::size_t i = 0; i < materials_.count(); i++) materials_[i].diffuse = values.colour();
+    for (std::size_t i = 0; i < lights_.count(); i++) {
+      lights_[i].position = values.vector();
+      lights_[i].intensity = values.colour();
+      lights_[i].exponent = values.exponent(-31, 32);
+      lights_[i].intensity_exponent = values.exponent(-40, 40);
+      lights_[i].inverse_square = in.u8();
+    }
+    for (std::size_t i = 0; i < shapes_.count(); i++) add_table(in, values, shapes_[i]);
+    scene.shapes = shapes_.get();
+    scene.materials = materials_.get();
+    scene.lights = lights_.get();
+    scene.shape_count = static_cast<std::uint16_t>(shapes_.count());
+    scene.material_count = static_cast<std::uint16_t>(materials_.count());
+    scene.light_count = static_cast<std::uint16_t>(lights_.count());
+    scene.exponent = values.exponent(-60, 60);
+    scene.far_exponent = values.exponent(-31, 32);
+    scene.far_limit = values.coordinate();
+    if (!values.wild()) scene.far_limit = scene.far_limit % 2 == 0 ? 0 : std::abs(scene.far_limit);
+    scene.ambient = values.colour();
+    scene.background = values.colour();
+    if (values.wild() && in.u8() == 1) scene.shapes = nullptr;
+    if (values.wild() && in.u8() == 1) scene.materials = nullptr;
+    if (values.wild() && in.u8() == 1) scene.lights = nullptr;
+  }
+
+  fc_scene scene{};
+
+private:
+  /* A table may be used more than once, and in part. */
+  void add_table(fuzz::Bytes &in, Values &values, fc_shapes &shapes) {
+    const std::uint8_t kind = in.u8(), part = in.u8();
+    shapes = {};
+    if (kind % 3 == 0) {
+      shapes.kind = &fc_kind_sphere;
+      shapes.items = spheres_.get();
+      shapes.count = static_cast<std::uint16_t>(spheres_.count());
+    } else if (kind % 3 == 1) {
+      shapes.kind = &fc_kind_plane;
+      shapes.items = planes_.get();
+      shapes.count = static_cast<std::uint16_t>(planes_.count());
+    } else {
+      shapes.kind = &fc_kind_triangle;
+      shapes.items = triangles_.get();
+      shapes.vertices = vertices_.get();
+      shapes.vertex_count = static_cast<std::uint16_t>(vertices_.count());
+      if (vertices_.count() > 0 || values.wild()) shapes.count = static_cast<std::uint16_t>(triangles_.count());
+    }
+    if (part & 0x80) shapes.count = static_cast<std::uint16_t>(shapes.count / 2);
+    if (values.wild() && part == 1) shapes.kind = nullptr;
+    if (values.wild() && part == 2) shapes.items = nullptr;
+    if (values.wild() && part == 3) shapes.vertices = nullptr;
+  }
+
+  Exact<fc_sphere> spheres_;
+  Exact<fc_plane> planes_;
+  Exact<fc_vec3> vertices_;
+  Exact<fc_triangle> triangles_;
+  Exact<fc_material> materials_;
+  Exact<fc_light> lights_;
+  Exact<fc_shapes> shapes_;
+};
+
+fc_camera any_camera(fuzz::Bytes &in, Values &values) {
+  fc_camera camera{};
+  camera.eye = values.vector();
+  camera.target = values.vector();
+  camera.up = values.vector();
+  camera.exponent = values.exponent(-31, 31);
+  camera.fov_rule = values.choice(2);
+  if (values.wild()) {
+    camera.tan_half_fov_numerator = in.u32();
+    camera.tan_half_fov_denominator = in.u32();
+  } else {
+    camera.tan_half_fov_numerator = 1 + (in.u32() >> 1 >> in.u8() % 31);
+    camera.tan_half_fov_denominator = 1 + (in.u32() >> 1 >> in.u8() % 31);
+  }
+  return camera;
+}
+
+fc_options any_options(Values &values) {
+  fc_options options{};
+  options.offset_rule = values.choice(4);
+  options.depth_exponent_bits = values.choice(4);
+  if (!values.wild() && options.depth_exponent_bits != 0) options.depth_exponent_bits++;
+  options.epsilon_exponent = values.exponent(-31, 31);
+  options.epsilon = values.coordinate();
+  if (!values.wild()) options.epsilon = std::abs(options.epsilon);
+  return options;
+}
+
+struct Picture {
+  explicit Picture(std::size_t size) : pixels(3 * size), depth(size), primitive(size), lit(size) {}
+  Exact<std::uint8_t> pixels;
+  Exact<std::uint16_t> depth, primitive;
+  Exact<std::uint32_t> lit;
+};
+
+void render(const fc_frame &frame, std::uint16_t y, std::uint16_t rows, const Picture &to) {
+  fc_target target{};
+  target.pixels = to.pixels.get();
+  target.pitch_bytes = frame.width * std::size_t{3};
+  target.format = FC_RGB888;
+  target.depth = to.depth.get();
+  target.primitive = to.primitive.get();
+  target.lit = to.lit.get();
+  CHECK(fc_render_rows(&frame, y, rows, &target) == FC_OK);
+}
+
+template <typename T>
+void check_part(const Exact<T> &whole, std::size_t first, const Exact<T> &part) {
+  CHECK(std::memcmp(whole.get() + first, part.get(), part.bytes()) == 0);
+}
+
+std::uint32_t count_primitives(const fc_scene &scene) {
+  std::uint32_t count = 0;
+  for (int i = 0; i < scene.shape_count; i++) count += scene.shapes[i].count;
+  return count;
+}
+
+void check_hit(const fc_scene &scene, const fc_hit &hit) {
+  CHECK(hit.primitive < count_primitives(scene));
+  for (const std::int32_t c : {hit.position.x, hit.position.y, hit.position.z})
+    CHECK(std::abs(c) <= FC_COORDINATE_MAX);
+  for (const std::int32_t c : {hit.normal_q30.x, hit.normal_q30.y, hit.normal_q30.z})
+    CHECK(std::abs(std::int64_t{c}) <= (INT64_C(1) << 30) + 4);
+  const std::uint64_t weights =
+      std::uint64_t{hit.barycentric_q30[0]} + hit.barycentric_q30[1] + hit.barycentric_q30[2];
+  CHECK(weights == 0 || (weights + 4 >= UINT64_C(1) << 30 && weights <= (UINT64_C(1) << 30) + 4));
+}
+
+void check_pixel(const fc_scene &scene, const fc_frame &frame, const Picture &picture, std::uint16_t x,
+                 std::uint16_t y) {
+  const std::size_t i = static_cast<std::size_t>(y) * frame.width + x;
+  fc_hit hit{}, again{};
+  std::uint32_t lit = 0;
+  const int got = fc_pick(&frame, x, y, &hit, &lit);
+  CHECK(got == 0 || got == 1);
+  CHECK(got == (picture.primitive[i] != 0xffff) && got == (picture.depth[i] != 0));
+  CHECK(lit == picture.lit[i]);
+  CHECK(fc_pick(&frame, x, y, &again, nullptr) == got);
+  if (got == 0) return;
+  CHECK(hit.primitive == picture.primitive[i] && hit.object == fc_object(&frame, hit.primitive));
+  CHECK(hit.primitive == again.primitive && hit.t_q32 == again.t_q32);
+  check_hit(scene, hit);
+}
+
+void render_all(fuzz::Bytes &in, Values &values, const fc_scene &scene) {
+  const fc_camera camera = any_camera(in, values);
+  const fc_options options = any_options(values);
+  const std::uint8_t size = in.u8();
+  const bool any_size = values.wild() && in.u8() == 1;
+  const auto width = static_cast<std::uint16_t>(any_size ? in.u16() : 1 + size % 8);
+  const auto height = static_cast<std::uint16_t>(any_size ? in.u16() : 1 + size / 8 % 8);
+  int error = FC_OK;
+  const std::size_t bytes = fc_frame_memory(&scene, &error);
+  CHECK(error == fc_scene_check(&scene));
+  const Exact<std::uint8_t> memory(bytes);
+  fc_frame frame;
+  error = fc_frame_setup(&frame, &scene, &camera, &options, width, height, memory.get(), memory.bytes());
+  CHECK(error <= 0 && error >= FC_ERR_DIRECTION);
+  if (error != FC_OK || width > 8 || height > 8) return;
+  if (bytes > 0) {
+    fc_frame unused;
+    CHECK(fc_frame_setup(&unused, &scene, &camera, &options, width, height, memory.get(), bytes - 1) ==
+          FC_ERR_MEMORY);
+  }
+  const Picture whole(static_cast<std::size_t>(width) * height);
+  render(frame, 0, height, whole);
+  const auto strip = static_cast<std::uint16_t>(1 + in.u8() % height);
+  for (std::uint16_t y = 0; y < height; y = static_cast<std::uint16_t>(y + strip)) {
+    const auto rows = std::min(strip, static_cast<std::uint16_t>(height - y));
+    const Picture part(static_cast<std::size_t>(width) * rows);
+    render(frame, y, rows, part);
+    const std::size_t first = static_cast<std::size_t>(y) * width;
+    check_part(whole.pixels, 3 * first, part.pixels);
+    check_part(whole.depth, first, part.depth);
+    check_part(whole.primitive, first, part.primitive);
+    check_part(whole.lit, first, part.lit);
+  }
+  for (std::uint16_t y = 0; y < height; y++)
+    for (std::uint16_t x = 0; x < width; x++) check_pixel(scene, frame, whole, x, y);
+}
+
+void shoot(fuzz::Bytes &in, Values &values, const fc_scene &scene) {
+  fc_ray ray{};
+  ray.origin = values.vector();
+  ray.direction = values.vector();
+  const std::uint8_t limits = in.u8();
+  ray.t_min_q32 = limits & 1 ? in.u64() : 0;
+  ray.t_max_q32 = limits & 2 ? in.u64() : UINT64_MAX;
+  fc_hit hit{};
+  const int got = fc_intersect(&scene, &ray, &hit);
+  CHECK(got <= 1 && (got >= 0 || got == FC_ERR_COORDINATE || got == FC_ERR_DIRECTION));
+  if (got == 1) {
+    check_hit(scene, hit);
+    CHECK(hit.t_q32 >= ray.t_min_q32 && (hit.t_q32 <= ray.t_max_q32 || ray.t_max_q32 >> 63 != 0));
+    for (int rule = -1; rule <= 4; rule++) {
+      fc_vec3 point{};
+      const std::int32_t epsilon = values.coordinate();
+      const int error = fc_offset(&scene, &hit, rule, epsilon, &point);
+      const bool right = rule >= 0 && rule <= 3 && epsilon >= 0 && epsilon <= FC_COORDINATE_MAX;
+      CHECK((error == FC_OK) == right);
+    }
+  }
+  /* A segment has no direction. */
+  const fc_vec3 from = values.vector(), to = values.vector();
+  const int blocked = fc_blocked(&scene, &from, &to);
+  CHECK(blocked == 0 || blocked == 1 || blocked == FC_ERR_COORDINATE);
+  CHECK(fc_blocked(&scene, &to, &from) == blocked);
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t count) {
+  fuzz::Bytes in(data, count);
+  Values values(in, (in.u8() & 1) != 0);
+  const Scene made(in, values);
+  render_all(in, values, made.scene);
+  if (fc_scene_check(&made.scene) != FC_OK) return 0;
+  for (int rays = 0; rays < 8 && !in.empty(); rays++) shoot(in, values, made.scene);
+  return 0;
+}
