@@ -1,5 +1,6 @@
 /* Scenes, cameras and rays of any bits: refused, or rendered the same in any strips and in agreement with fc_pick. */
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -175,6 +176,71 @@ fc_options any_options(Values &values) {
   return options;
 }
 
+/* A second opinion on fc_blocked, in plain 128-bit arithmetic. 1 blocked, 0 not, -1: too large to tell here. */
+__extension__ typedef __int128 Wide;
+
+struct Point {
+  explicit Point(const fc_vec3 &v) : x(v.x), y(v.y), z(v.z) {}
+  Point(std::int64_t a, std::int64_t b, std::int64_t c) : x(a), y(b), z(c) {}
+  std::int64_t x, y, z;
+};
+
+Point operator-(const Point &a, const Point &b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Wide dot(const Point &a, const Point &b) { return Wide{a.x} * b.x + Wide{a.y} * b.y + Wide{a.z} * b.z; }
+int sign(Wide v) { return (v > 0) - (v < 0); }
+
+Wide determinant(const Point &a, const Point &b, const Point &c) {
+  return Wide{a.x} * (Wide{b.y} * c.z - Wide{b.z} * c.y) + Wide{a.y} * (Wide{b.z} * c.x - Wide{b.x} * c.z) +
+         Wide{a.z} * (Wide{b.x} * c.y - Wide{b.y} * c.x);
+}
+
+int sphere_blocks(const fc_sphere &sphere, const Point &from, const Point &to) {
+  const Point center(sphere.center), p = from - center, q = to - center, d = to - from;
+  for (const std::int64_t v : {p.x, p.y, p.z, q.x, q.y, q.z, d.x, d.y, d.z, std::int64_t{sphere.radius}})
+    if (std::abs(v) >= INT64_C(1) << 30) return -1;
+  const Wide square = Wide{sphere.radius} * sphere.radius;
+  const Wide at_from = dot(p, p) - square, at_to = dot(q, q) - square, length = dot(d, d), along = dot(p, d);
+  if (length == 0) return -1;
+  if (sign(at_from) * sign(at_to) < 0) return 1;
+  if (at_from == 0 && at_to == 0) return -1; /* a chord: see exact_passes */
+  if (at_from < 0 || at_to < 0) return 0;
+  return along < 0 && -along < length && along * along >= length * at_from;
+}
+
+int plane_blocks(const fc_plane &plane, const Point &from, const Point &to) {
+  const Point normal(plane.normal);
+  const Wide d = Wide{plane.d} * (Wide{1} << plane.d_exponent);
+  return sign(dot(normal, from) + d) * sign(dot(normal, to) + d) < 0;
+}
+
+int triangle_blocks(const fc_vec3 *vertices, const fc_triangle &triangle, const Point &from, const Point &to) {
+  const Point a = Point(vertices[triangle.vertex[0]]) - from, b = Point(vertices[triangle.vertex[1]]) - from,
+              c = Point(vertices[triangle.vertex[2]]) - from, d = to - from;
+  if (sign(determinant(a, b, c)) * sign(determinant(a - d, b - d, c - d)) >= 0) return 0;
+  const int ab = sign(determinant(a, b, d)), bc = sign(determinant(b, c, d)), ca = sign(determinant(c, a, d));
+  return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
+}
+
+int expect_blocked(const fc_scene &scene, const fc_vec3 &from, const fc_vec3 &to) {
+  int expected = 0;
+  for (int table = 0; table < scene.shape_count; table++) {
+    const fc_shapes &shapes = scene.shapes[table];
+    for (int i = 0; i < shapes.count; i++) {
+      int one = 0;
+      if (shapes.kind == &fc_kind_sphere)
+        one = sphere_blocks(static_cast<const fc_sphere *>(shapes.items)[i], Point(from), Point(to));
+      else if (shapes.kind == &fc_kind_plane)
+        one = plane_blocks(static_cast<const fc_plane *>(shapes.items)[i], Point(from), Point(to));
+      else
+        one = triangle_blocks(shapes.vertices, static_cast<const fc_triangle *>(shapes.items)[i], Point(from),
+                              Point(to));
+      if (one == 1) return 1;
+      if (one < 0) expected = -1;
+    }
+  }
+  return expected;
+}
+
 struct Picture {
   explicit Picture(std::size_t size) : pixels(3 * size), depth(size), primitive(size), lit(size) {}
   Exact<std::uint8_t> pixels;
@@ -215,6 +281,27 @@ void check_hit(const fc_scene &scene, const fc_hit &hit) {
   CHECK(weights == 0 || (weights + 4 >= UINT64_C(1) << 30 && weights <= (UINT64_C(1) << 30) + 4));
 }
 
+/* The position of a pick against eye + depth * direction, where the depth is not saturated. */
+void check_position(const fc_frame &frame, std::uint16_t x, std::uint16_t y, const fc_hit &hit) {
+  if (hit.t_q32 == UINT64_MAX) return;
+  const fc_view &view = frame.view;
+  const long double half = std::ldexp(1.0L, view.pixel_shift), focal = view.focal;
+  const long double across[3] = {(2 * x + 1 - frame.width) * half / focal, (frame.height - 2 * y - 1) * half / focal, 1};
+  const long double depth = std::ldexp(static_cast<long double>(hit.t_q32), -32);
+  const long double distance = depth * std::hypot(across[0], across[1], 1.0L);
+  const long double unit = std::ldexp(1.0L, view.shift - view.fine);
+  /* beyond 2^35 fc_view_to_world runs out of bits, beyond 2^56 grid units fc_point_at has a stand-in only */
+  if (distance > 0x1p34L || distance > 0x1p54L * unit) return;
+  const long double allowed = 4 + 2 * unit + distance * 0x1p-26L;
+  const std::int32_t position[3] = {hit.position.x, hit.position.y, hit.position.z};
+  for (int i = 0; i < 3; i++) {
+    long double expected = std::ldexp(static_cast<long double>(view.eye[i]), -view.fine);
+    for (int j = 0; j < 3; j++) expected += std::ldexp(view.row[j][i] * across[j] * depth, -30);
+    const long double limit = FC_COORDINATE_MAX;
+    CHECK(std::fabs(std::clamp(expected, -limit, limit) - position[i]) <= allowed);
+  }
+}
+
 void check_pixel(const fc_scene &scene, const fc_frame &frame, const Picture &picture, std::uint16_t x,
                  std::uint16_t y) {
   const std::size_t i = static_cast<std::size_t>(y) * frame.width + x;
@@ -229,6 +316,7 @@ void check_pixel(const fc_scene &scene, const fc_frame &frame, const Picture &pi
   CHECK(hit.primitive == picture.primitive[i] && hit.object == fc_object(&frame, hit.primitive));
   CHECK(hit.primitive == again.primitive && hit.t_q32 == again.t_q32);
   check_hit(scene, hit);
+  check_position(frame, x, y, hit);
 }
 
 void render_all(fuzz::Bytes &in, Values &values, const fc_scene &scene) {
@@ -294,6 +382,9 @@ void shoot(fuzz::Bytes &in, Values &values, const fc_scene &scene) {
   const int blocked = fc_blocked(&scene, &from, &to);
   CHECK(blocked == 0 || blocked == 1 || blocked == FC_ERR_COORDINATE);
   CHECK(fc_blocked(&scene, &to, &from) == blocked);
+  if (blocked < 0) return;
+  const int expected = expect_blocked(scene, from, to);
+  CHECK(expected < 0 || blocked == expected);
 }
 
 } // namespace
