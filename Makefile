@@ -1,7 +1,8 @@
 # The front door for people. How things are built stands in CMakeLists.txt alone.
 .DEFAULT_GOAL := help
-.PHONY: help build demo test report golden-update clean
+.PHONY: help build demo test matrix report fuzz torture golden-update clean
 BUILD := build
+FUZZ_SECONDS := 600
 MAKEFLAGS += --no-print-directory
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 CONFIGURE := cmake -S . -B $(BUILD) --log-level=WARNING
@@ -26,10 +27,28 @@ test: ## build everything and run all tests, those on emulated chips too (some m
 	@cmake --build $(BUILD) --parallel $(JOBS)
 	@cd $(BUILD) && ctest --output-on-failure -j $(JOBS)
 
+matrix: ## a table of the CRCs that every compiler, option and machine gives (two minutes of compiling once)
+	@.ci/install matrix
+	@$(CONFIGURE) >/dev/null
+	@cmake --build $(BUILD) --parallel $(JOBS) --target baked_scenes >/dev/null
+	@python3 tests/matrix/matrix.py --baked $(BUILD)/baked --work $(BUILD)/matrix --jobs $(JOBS)
+
 report: ## measure every scene's accuracy and rewrite docs/REPORT.md
 	@.ci/install demo
 	@$(MAKE) build
 	@python3 host_sim/report.py $(BUILD)/fixcast docs/REPORT.md
+
+fuzz: ## search for inputs that break the core or the scene reader, FUZZ_SECONDS (600) each
+	@.ci/install fuzz
+	@cmake -S tests/fuzz -B $(BUILD)/fuzz --log-level=WARNING >/dev/null
+	@cmake --build $(BUILD)/fuzz --parallel $(JOBS) >/dev/null
+	@python3 tests/fuzz/run.py --seconds $(FUZZ_SECONDS) --jobs $(JOBS) $(BUILD)/fuzz nff scene strips
+
+torture: ## a thousand million seeded hard cases against exact oracles, resumable (about 20 minutes)
+	@.ci/install test
+	@$(CONFIGURE) >/dev/null
+	@cmake --build $(BUILD) --parallel $(JOBS) --target torture
+	@$(BUILD)/tests/torture --full --jobs 2 --state $(BUILD)/torture.state
 
 golden-update: ## rewrite tests/golden/crc.txt from what the simulator renders now
 	@.ci/install demo

@@ -152,6 +152,61 @@ static void test_fallbacks_agree_with_filters(void) {
   TEST_ASSERT_GREATER_THAN_INT(300, blocked);
 }
 
+/* Whole-number ends a unit or so off an edge or a tangent, at full size: every term of the filters' error bounds counts. */
+static void test_filters_hold_beside_edges_and_tangents(void) {
+  int trial, blocked = 0;
+  for (trial = 0; trial < 4000; trial++) {
+    fc_form form;
+    fc_segment segment;
+    const fc_kind *kind = trial & 1 ? &fc_kind_triangle : &fc_kind_sphere;
+    int64_t middle[3];
+    bool quick, exact;
+    int j;
+    memset(&segment, 0, sizeof segment);
+    for (j = 0; j < 3; j++) {
+      segment.point[j] = random_any_size(28);
+      segment.light[j] = random_any_size(28);
+      if (trial & 2) segment.light[j] = segment.light[j] * 64 + random_within(0, 63); /* beyond the grid's range */
+      middle[j] = segment.point[j] + (segment.light[j] - segment.point[j]) / (trial & 2 ? 256 : 3);
+    }
+    if (trial & 1) {
+      for (j = 0; j < 3; j++) {
+        int64_t along = random_any_size(27);
+        form.u.triangle.vertex[0][j] = middle[j] + along + random_within(-1, 1);
+        form.u.triangle.vertex[1][j] = middle[j] - along;
+        form.u.triangle.vertex[2][j] = random_any_size(28);
+      }
+    } else {
+      /* radius: the distance from the center to the line, within a unit */
+      int64_t w[3], c[3];
+      fc_num area = {0, 0}, length = {0, 0};
+      for (j = 0; j < 3; j++) {
+        form.u.sphere.center[j] = middle[j] + random_any_size(26);
+        w[j] = segment.light[j] - segment.point[j];
+        c[j] = form.u.sphere.center[j] - segment.point[j];
+      }
+      for (j = 0; j < 3; j++) {
+        int k = (j + 1) % 3, l = (j + 2) % 3;
+        fc_num term = fc_num_from_abs(fc_i128_sub(fc_i128_mul(w[k], c[l]), fc_i128_mul(w[l], c[k])));
+        area = fc_num_add(area, fc_num_mul(term, term));
+        term = fc_num_from_abs(fc_i128_mul(w[j], 1));
+        length = fc_num_add(length, fc_num_mul(term, term));
+      }
+      if (length.m == 0) continue;
+      form.u.sphere.radius = (int64_t)fc_num_round(fc_num_sqrt(fc_num_div(area, length)), 0) + random_within(-1, 1);
+      if (form.u.sphere.radius < 1) continue;
+    }
+    segment.point_valid = true;
+    fc_segment_prepare(&segment);
+    quick = kind->blocked(&form, &segment);
+    segment.point_valid = false;
+    exact = kind->blocked(&form, &segment);
+    blocked += exact;
+    TEST_ASSERT_EQUAL_INT(exact, quick);
+  }
+  TEST_ASSERT_GREATER_THAN_INT(500, blocked);
+}
+
 /* The receiver never shadows itself, from any angle, with the exact rule. */
 static void test_a_sphere_does_not_shadow_itself(void) {
   static const int64_t eye[3] = {0, 0, 0};
@@ -192,6 +247,7 @@ int main(void) {
   RUN_TEST(test_plane_blocks);
   RUN_TEST(test_triangle_blocks);
   RUN_TEST(test_fallbacks_agree_with_filters);
+  RUN_TEST(test_filters_hold_beside_edges_and_tangents);
   RUN_TEST(test_a_sphere_does_not_shadow_itself);
   return UNITY_END();
 }

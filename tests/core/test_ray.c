@@ -5,6 +5,7 @@
 
 #include "fixcast/error.h"
 #include "random.h"
+#include "root.h"
 #include "unity.h"
 
 void setUp(void) {}
@@ -155,6 +156,79 @@ static void test_residual_offset_leaves_the_surface(void) {
   TEST_ASSERT_GREATER_THAN_INT(1000, hits);
 }
 
+/* The same for planes and triangles, from both sides. */
+static void test_residual_offset_leaves_flat_surfaces(void) {
+  int trial, hits = 0;
+  for (trial = 0; trial < 2000; trial++) {
+    fc_hit hit;
+    fc_vec3 p, d, o = vec(random_any_size(20), random_any_size(20), random_any_size(20));
+    int64_t n[3], k, side_of_origin, side;
+    int i;
+    clear();
+    if (trial & 1) {
+      for (i = 0; i < 3; i++) vertices[i] = vec(random_any_size(20), random_any_size(20), random_any_size(20));
+      add_table(&fc_kind_triangle, triangles, 1);
+      d = vec((vertices[0].x + vertices[1].x + vertices[2].x) / 3 - o.x, (vertices[0].y + vertices[1].y + vertices[2].y) / 3 - o.y,
+              (vertices[0].z + vertices[1].z + vertices[2].z) / 3 - o.z);
+    } else {
+      planes[0].normal = vec(random_any_size(20) | 1, random_any_size(20), random_any_size(20));
+      planes[0].d = random_any_size(29);
+      add_table(&fc_kind_plane, planes, 1);
+      d = vec(random_any_size(20), random_any_size(20), random_any_size(20) | 1);
+    }
+    if ((d.x | d.y | d.z) == 0 || shoot(o, d, &hit) != 1) continue;
+    if (hit.position.x > (1 << 28) || hit.position.x < -(1 << 28) || hit.position.y > (1 << 28) ||
+        hit.position.y < -(1 << 28) || hit.position.z > (1 << 28) || hit.position.z < -(1 << 28))
+      continue; /* clamped, perhaps */
+    hits++;
+    if (trial & 1) {
+      int64_t ax = vertices[1].x - vertices[0].x, ay = vertices[1].y - vertices[0].y, az = vertices[1].z - vertices[0].z;
+      int64_t bx = vertices[2].x - vertices[0].x, by = vertices[2].y - vertices[0].y, bz = vertices[2].z - vertices[0].z;
+      n[0] = ay * bz - az * by;
+      n[1] = az * bx - ax * bz;
+      n[2] = ax * by - ay * bx;
+      k = 0;
+    } else {
+      n[0] = planes[0].normal.x;
+      n[1] = planes[0].normal.y;
+      n[2] = planes[0].normal.z;
+      k = -(int64_t)planes[0].d;
+    }
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_offset(&scene, &hit, FC_OFFSET_RESIDUAL, 0, &p));
+    if (trial & 1) { /* relative to a vertex: 22 bits times 43 */
+      side_of_origin = n[0] / 4 * (o.x - vertices[0].x) + n[1] / 4 * (o.y - vertices[0].y) + n[2] / 4 * (o.z - vertices[0].z);
+      if (side_of_origin < INT64_C(1) << 30 && side_of_origin > -(INT64_C(1) << 30)) continue; /* n / 4 is too coarse */
+      side = n[0] * (p.x - vertices[0].x) + n[1] * (p.y - vertices[0].y) + n[2] * (p.z - vertices[0].z);
+    } else {
+      side_of_origin = n[0] * o.x + n[1] * o.y + n[2] * o.z - k;
+      side = n[0] * p.x + n[1] * p.y + n[2] * p.z - k;
+    }
+    TEST_ASSERT_TRUE(side_of_origin > 0 ? side > 0 : side < 0);
+  }
+  TEST_ASSERT_GREATER_THAN_INT(800, hits);
+}
+
+/* A rational root in disguise, (10 - sqrt 16) / 2 = 3, times a direction of length 2, against a far limit of 6. */
+static void test_far_limit_is_exact_for_spheres(void) {
+  fc_root root;
+  memset(&root, 0, sizeof root);
+  root.p = fc_i128_from(10);
+  root.q = -1;
+  root.d = fc_i128_from(16);
+  root.m = fc_i128_from(2);
+  root.c = fc_i128_from(42); /* (100 - 16) / 2 */
+  TEST_ASSERT_EQUAL_INT8(0, fc_root_compare_distance(&root, 4, 6, 0));
+  TEST_ASSERT_EQUAL_INT8(0, fc_root_compare_distance(&root, 4, 3, 1));
+  TEST_ASSERT_EQUAL_INT8(0, fc_root_compare_distance(&root, 4, 12, -1));
+  TEST_ASSERT_EQUAL_INT8(1, fc_root_compare_distance(&root, 4, 5, 0));
+  TEST_ASSERT_EQUAL_INT8(-1, fc_root_compare_distance(&root, 4, 7, 0));
+  TEST_ASSERT_EQUAL_INT8(0, fc_root_compare_q32(&root, UINT64_C(3) << 32));
+  TEST_ASSERT_EQUAL_INT8(-1, fc_root_compare_q32(&root, (UINT64_C(3) << 32) + 1));
+  root.q = 1; /* 7 */
+  TEST_ASSERT_EQUAL_INT8(0, fc_root_compare_distance(&root, 4, 14, 0));
+  TEST_ASSERT_EQUAL_INT8(0, fc_root_compare_q32(&root, UINT64_C(7) << 32));
+}
+
 static void test_bad_rays_are_refused(void) {
   fc_hit hit;
   fc_vec3 far_off = vec(INT32_MIN, 0, 0), origin = vec(0, 0, 0);
@@ -186,6 +260,8 @@ int main(void) {
   RUN_TEST(test_nearest_across_kinds);
   RUN_TEST(test_nearest_of_two_irrational_roots);
   RUN_TEST(test_residual_offset_leaves_the_surface);
+  RUN_TEST(test_residual_offset_leaves_flat_surfaces);
+  RUN_TEST(test_far_limit_is_exact_for_spheres);
   RUN_TEST(test_bad_rays_are_refused);
   return UNITY_END();
 }

@@ -178,6 +178,26 @@ static void test_depth_codes(void) {
   }
 }
 
+/* Family 35: coincident primitives show the lowest number, in frames and picks. */
+static void test_coincident_primitives_lowest_number(void) {
+  static const fc_sphere twins[] = {{FC_VEC3(0, 1.5, -6), FC_Q16(1), 0, 1}, {FC_VEC3(0, 1.5, -6), FC_Q16(1), 1, 2}};
+  static const fc_shapes tables[] = {FC_SPHERES(twins)};
+  fc_scene scene = s1;
+  fc_hit hit;
+  int i, shown = 0;
+  scene.shapes = tables;
+  scene.shape_count = 1;
+  set_up(&scene, WIDTH, HEIGHT);
+  render(FC_RGB888, HEIGHT);
+  for (i = 0; i < PIXELS; i++) {
+    shown += primitive[i] == 0;
+    TEST_ASSERT_TRUE(primitive[i] != 1);
+  }
+  TEST_ASSERT_GREATER_THAN_INT(50, shown);
+  TEST_ASSERT_EQUAL_INT(1, fc_pick(&frame, WIDTH / 2, HEIGHT / 2, &hit, NULL));
+  TEST_ASSERT_EQUAL_UINT16(1, hit.object);
+}
+
 static void test_bad_arguments_are_refused(void) {
   fc_target t = target_of(FC_RGB888);
   fc_camera camera = s1_camera;
@@ -252,6 +272,7 @@ int main(void) {
   RUN_TEST(test_pick_agrees_with_the_picture);
   RUN_TEST(test_world_scale_changes_no_bit);
   RUN_TEST(test_depth_codes);
+  RUN_TEST(test_coincident_primitives_lowest_number);
   RUN_TEST(test_bad_arguments_are_refused);
   RUN_TEST(test_offset_rules);
   return UNITY_END();

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "fixcast/fixcast.h"
+#include "kind.h"
 #include "random.h"
 #include "unity.h"
 
@@ -174,6 +175,43 @@ static void test_vertex_order_changes_nothing(void) {
   TEST_ASSERT_GREATER_THAN_INT(100, hits);
 }
 
+/* Families 3 and 4 at full size: rays a unit or so beside an edge, where only the exact sum can tell. The expectation is
+ * the sign of each edge form from 128-bit products, ties by the first component of N that is not 0. */
+static void test_filter_never_contradicts_the_exact_sum(void) {
+  static const int64_t origin[3] = {0, 0, 0};
+  int trial, hits = 0, undecided = 0;
+  for (trial = 0; trial < 3000; trial++) {
+    fc_form form;
+    fc_prepared prepared;
+    fc_root root[2];
+    int64_t d[3], *a = form.u.triangle.vertex[0], *b = form.u.triangle.vertex[1];
+    bool inside = true;
+    int i, j;
+    int8_t side;
+    for (j = 0; j < 3; j++) {
+      d[j] = random_any_size(28);
+      a[j] = random_any_size(28);
+      b[j] = 3 * d[j] - 2 * a[j] + random_within(-1, 1); /* the line a b passes 3 d / 3 within a unit */
+      form.u.triangle.vertex[2][j] = random_any_size(29);
+    }
+    if ((d[0] | d[1] | d[2]) == 0) continue;
+    fc_kind_triangle.prepare(&form, origin, &prepared);
+    side = fc_i128_sign(prepared.u.triangle.side);
+    for (i = 0; i < 3; i++) {
+      const int64_t *n = prepared.u.triangle.edge[i];
+      fc_i128 sum = fc_i128_add(fc_i128_mul(n[0], d[0]), fc_i128_add(fc_i128_mul(n[1], d[1]), fc_i128_mul(n[2], d[2])));
+      int8_t sign = fc_i128_sign(sum);
+      for (j = 0; j < 3 && sign == 0; j++) sign = (int8_t)((n[j] > 0) - (n[j] < 0));
+      inside = inside && sign == side && side != 0;
+      undecided += fc_i128_bits(sum) < 62;
+    }
+    hits += inside;
+    TEST_ASSERT_EQUAL_INT(inside, fc_kind_triangle.test(&prepared, d, root));
+  }
+  TEST_ASSERT_GREATER_THAN_INT(100, hits);
+  TEST_ASSERT_GREATER_THAN_INT(100, undecided);
+}
+
 /* Families 10 to 14: parallel, behind, starting in the triangle, degenerate: all missed. */
 static void test_cases_that_miss(void) {
   fc_hit hit;
@@ -288,6 +326,7 @@ int main(void) {
   RUN_TEST(test_shared_edge_is_hit_once);
   RUN_TEST(test_fan_centre_is_hit_once);
   RUN_TEST(test_vertex_order_changes_nothing);
+  RUN_TEST(test_filter_never_contradicts_the_exact_sum);
   RUN_TEST(test_cases_that_miss);
   RUN_TEST(test_grazing_ray_has_exact_t);
   RUN_TEST(test_extreme_magnitudes);

@@ -8,12 +8,12 @@
 #include <cstdlib>
 
 /* libFuzzer keeps the input of a run that aborts. */
-#define CHECK(condition)                                                              \
-  do {                                                                                \
-    if (!(condition)) {                                                               \
-      std::fprintf(stderr, "%s:%d: broken: %s\n", __FILE__, __LINE__, #condition);    \
-      std::abort();                                                                   \
-    }                                                                                 \
+#define CHECK(condition) \
+  do { \
+    if (!(condition)) { \
+      std::fprintf(stderr, "%s:%d: broken: %s\n", __FILE__, __LINE__, #condition); \
+      std::abort(); \
+    } \
   } while (0)
 
 namespace fuzz {
@@ -48,7 +48,8 @@ private:
 template <typename T>
 class Exact {
 public:
-  explicit Exact(std::size_t count) : data_(static_cast<T *>(std::malloc(count * sizeof(T)))), count_(count) {}
+  explicit Exact(std::size_t count)
+      : data_(static_cast<T *>(std::malloc(count * sizeof(T)))), count_(count) {}
   ~Exact() { std::free(data_); }
   Exact(const Exact &) = delete;
   Exact &operator=(const Exact &) = delete;

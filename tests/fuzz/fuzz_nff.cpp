@@ -26,7 +26,8 @@ void render(const host::CoreScene &core) {
   if (primitives * (core.lights.size() + 1) > most_shadow_tests) return;
   const fuzz::Exact<std::uint8_t> memory(bytes);
   fc_frame frame;
-  error = fc_frame_setup(&frame, &core.scene, &core.camera, nullptr, size, size, memory.get(), memory.bytes());
+  error =
+      fc_frame_setup(&frame, &core.scene, &core.camera, nullptr, size, size, memory.get(), memory.bytes());
   if (error != FC_OK) {
     CHECK(may_refuse(error));
     return;

@@ -24,7 +24,8 @@ public:
       v = static_cast<std::int32_t>(in_.u32());
       if (how >= 32) v >>= how % 32; /* of any length */
     } else if (how < 176) {
-      v = (used_.empty() ? 0 : std::int64_t{used_[in_.u8() % used_.size()]} * (how & 1 ? -1 : 1)) + (how - 152) / 8;
+      v = (used_.empty() ? 0 : std::int64_t{used_[in_.u8() % used_.size()]} * (how & 1 ? -1 : 1)) +
+          (how - 152) / 8;
     } else if (how < 240) {
       v = how - 208;
     } else {
@@ -64,8 +65,13 @@ private:
 class Scene {
 public:
   Scene(fuzz::Bytes &in, Values &values)
-      : spheres_(in.u8() % 5), planes_(in.u8() % 4), vertices_(in.u8() % 7), triangles_(in.u8() % 5),
-        materials_(values.wild() ? in.u8() % 3 : 1 + in.u8() % 2), lights_(in.u8() % 4), shapes_(in.u8() % 5) {
+      : spheres_(in.u8() % 5),
+        planes_(in.u8() % 4),
+        vertices_(in.u8() % 7),
+        triangles_(in.u8() % 5),
+        materials_(values.wild() ? in.u8() % 3 : 1 + in.u8() % 2),
+        lights_(in.u8() % 4),
+        shapes_(in.u8() % 5) {
     for (std::size_t i = 0; i < spheres_.count(); i++) {
       spheres_[i] = {values.vector(), values.coordinate(), values.index(materials_.count()), in.u8()};
       if (!values.wild()) spheres_[i].radius = std::max(1, std::abs(spheres_[i].radius));
@@ -131,7 +137,8 @@ private:
       shapes.items = triangles_.get();
       shapes.vertices = vertices_.get();
       shapes.vertex_count = static_cast<std::uint16_t>(vertices_.count());
-      if (vertices_.count() > 0 || values.wild()) shapes.count = static_cast<std::uint16_t>(triangles_.count());
+      if (vertices_.count() > 0 || values.wild())
+        shapes.count = static_cast<std::uint16_t>(triangles_.count());
     }
     if (part & 0x80) shapes.count = static_cast<std::uint16_t>(shapes.count / 2);
     if (values.wild() && part == 1) shapes.kind = nullptr;
@@ -213,7 +220,8 @@ int plane_blocks(const fc_plane &plane, const Point &from, const Point &to) {
   return sign(dot(normal, from) + d) * sign(dot(normal, to) + d) < 0;
 }
 
-int triangle_blocks(const fc_vec3 *vertices, const fc_triangle &triangle, const Point &from, const Point &to) {
+int triangle_blocks(const fc_vec3 *vertices, const fc_triangle &triangle, const Point &from,
+                    const Point &to) {
   const Point a = Point(vertices[triangle.vertex[0]]) - from, b = Point(vertices[triangle.vertex[1]]) - from,
               c = Point(vertices[triangle.vertex[2]]) - from, d = to - from;
   if (sign(determinant(a, b, c)) * sign(determinant(a - d, b - d, c - d)) >= 0) return 0;
@@ -286,7 +294,8 @@ void check_position(const fc_frame &frame, std::uint16_t x, std::uint16_t y, con
   if (hit.t_q32 == UINT64_MAX) return;
   const fc_view &view = frame.view;
   const long double half = std::ldexp(1.0L, view.pixel_shift), focal = view.focal;
-  const long double across[3] = {(2 * x + 1 - frame.width) * half / focal, (frame.height - 2 * y - 1) * half / focal, 1};
+  const long double across[3] = {(2 * x + 1 - frame.width) * half / focal,
+                                 (frame.height - 2 * y - 1) * half / focal, 1};
   const long double depth = std::ldexp(static_cast<long double>(hit.t_q32), -32);
   const long double distance = depth * std::hypot(across[0], across[1], 1.0L);
   const long double unit = std::ldexp(1.0L, view.shift - view.fine);

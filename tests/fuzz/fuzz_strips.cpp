@@ -32,8 +32,8 @@ const std::array<Setting, 6> settings = {{{fixed_s1, 12, 9, {}},
 struct Reference {
   explicit Reference(const Setting &setting)
       : memory(fc_frame_memory(setting.of.scene, nullptr)), width(setting.width), height(setting.height) {
-    CHECK(fc_frame_setup(&frame, setting.of.scene, setting.of.camera, &setting.options, width, height, memory.get(),
-                         memory.bytes()) == FC_OK);
+    CHECK(fc_frame_setup(&frame, setting.of.scene, setting.of.camera, &setting.options, width, height,
+                         memory.get(), memory.bytes()) == FC_OK);
     const std::size_t size = static_cast<std::size_t>(width) * height;
     depth.resize(size);
     primitive.resize(size);
@@ -149,7 +149,8 @@ void pick_one(fuzz::Bytes &in, const Reference &of) {
   } else {
     const std::size_t i = static_cast<std::size_t>(y) * of.width + x;
     CHECK(got == (of.primitive[i] != 0xffff));
-    if (got == 1) CHECK(hit.primitive == of.primitive[i] && hit.object == fc_object(&of.frame, hit.primitive));
+    if (got == 1)
+      CHECK(hit.primitive == of.primitive[i] && hit.object == fc_object(&of.frame, hit.primitive));
     if (with_lit) CHECK(lit == (got == 1 ? of.lit[i] : 0));
   }
 }

@@ -58,7 +58,7 @@ def cortex_m(cpu):
 def avr(chip):
     return Machine(
         f"{chip}, simavr", "avr-",
-        flags=[f"-mmcu={chip}", "-mcall-prologues", "-DSTRIP_ROWS=1", "-DMEMORY_BYTES=512", *BARE],
+        flags=[f"-mmcu={chip}", "-mcall-prologues", "-DSTRIP_ROWS=1", "-DMEMORY_BYTES=1024", *BARE],
         link=["-Wl,--gc-sections"],
         port=[HERE / "avr.c"],
         run=["simavr", "-m", chip, "-f", "16000000"],
@@ -183,25 +183,25 @@ class Matrix:
             execute(command, cwd=place)
         stamp.write_text(recipe)
 
-    def run(self, name):
-        """{scene: CRC} as the cell's programs print them."""
-        cell, crcs = CELLS[name], {}
-        for scene in self.scenes(cell):
-            program = self.work / name / scene
-            output = re.sub(r"\x1b\[[\d;]*m", "", execute([*cell.machine.run, program], RUN_SECONDS))
-            match = re.search(rf"\b{scene} {SIZE} (0x[0-9a-f]{{8}})\b", output)
-            if not match:
-                raise Failure(f"{program} printed no CRC:\n{output}")
-            crcs[scene] = match.group(1)
-        return crcs
+    def run(self, name, scene):
+        """The CRC that the cell's program prints."""
+        program = self.work / name / scene
+        output = execute([*CELLS[name].machine.run, program], RUN_SECONDS)
+        match = re.search(rf"\b{scene} {SIZE} (0x[0-9a-f]{{8}})\b", re.sub(r"\x1b\[[\d;]*m", "", output))
+        if not match:
+            raise Failure(f"{program} printed no CRC:\n{output}")
+        return match.group(1)
 
     def cell(self, name):
         """({scene: CRC}, what went wrong or None) of a cell."""
+        crcs = {}
         try:
             self.build(name)
-            return self.run(name), None
+            for scene in self.scenes(CELLS[name]):
+                crcs[scene] = self.run(name, scene)
         except Failure as failure:
-            return {}, f"{name}: {failure}"
+            return crcs, f"{name}: {failure}"
+        return crcs, None
 
     def row(self, name, crcs):
         cell = CELLS[name]
@@ -210,7 +210,7 @@ class Matrix:
             compiler = version(compiler_of(cell)[0])
         except Failure:
             compiler = cell.compiler
-        cells = [crcs.get(scene, "failed") if scene not in cell.machine.lacks else "-" for scene in self.golden]
+        cells = [crcs.get(scene, "none") if scene not in cell.machine.lacks else "-" for scene in self.golden]
         return [cell.machine.label, compiler, cell.options, *cells, "NO" if wrong else "yes"]
 
     def table(self, names, jobs):

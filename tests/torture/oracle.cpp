@@ -190,7 +190,7 @@ bool is_tie(const Shape &s, Vec origin, Vec direction) {
 }
 
 int nearest(const std::vector<Shape> &shapes, Vec origin, Vec direction, uint64_t t_min_q32, uint64_t t_max_q32,
-            Root *root) {
+            Root *root, bool endless) {
   int best = -1;
   Q low(Z(static_cast<unsigned long>(t_min_q32)), Z(1) << 32), high(Z(static_cast<unsigned long>(t_max_q32)), Z(1) << 32);
   low.canonicalize();
@@ -198,7 +198,7 @@ int nearest(const std::vector<Shape> &shapes, Vec origin, Vec direction, uint64_
   for (size_t i = 0; i < shapes.size(); i++)
     for (const Root &candidate : roots(shapes[i], origin, direction)) {
       if (compare(candidate, low) <= 0) continue;
-      if (compare(candidate, high) >= 0) break;
+      if (!endless && compare(candidate, high) >= 0) break;
       if (best < 0 || compare(candidate, *root) < 0) {
         best = static_cast<int>(i);
         *root = candidate;

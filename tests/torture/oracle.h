@@ -44,9 +44,9 @@ std::vector<Root> roots(const Shape &shape, Vec origin, Vec direction);
 /* Whether the ray passes exactly through an edge or vertex of a triangle (its nudge matters). */
 bool is_tie(const Shape &triangle, Vec origin, Vec direction);
 
-/* The first shape within t_min < t < t_max (Q32), or -1. */
+/* The first shape within t_min < t < t_max (Q32), or -1; endless: t_max does not count. */
 int nearest(const std::vector<Shape> &shapes, Vec origin, Vec direction, uint64_t t_min_q32, uint64_t t_max_q32,
-            Root *root);
+            Root *root, bool endless = false);
 
 /* An exact point (u + v sqrt(d)) / m. */
 struct Point {

@@ -50,6 +50,7 @@ uint64_t depth_codes(Random &random) {
         oracle::Q z = oracle::approximate(exact) * static_cast<long>(frame.view.focal);
         if (z * 2 > Z(1) << 32) return 0;
         frame.depth_near = static_cast<uint32_t>(Z(Q(z).get_num() / Q(z).get_den()).get_ui()) + 1;
+        near = static_cast<unsigned long>(frame.depth_near);
       } else {
         exact = {p, m, 0, 0};
       }

@@ -61,15 +61,16 @@ void check_small(uint64_t v) {
 
 uint64_t numbers(Random &random) {
   uint64_t checked = 0;
-  /* the low bits of a seed are the trial's number: 2^16 trials in a row visit every 16-bit input, and one block of 256
-   * 32-bit inputs each, which makes 2^24 of them */
-  uint64_t seed = random.state & 0xffff;
-  check_floor_root(seed);
-  if (seed != 0) {
-    check_small(seed);
-    check_floor_root(seed * seed);
-    check_floor_root(seed * seed - 1);
+  /* the low bits of a seed are the trial's number: 2048 trials in a row visit every 16-bit input */
+  for (uint64_t i = 0, first = (random.state & 2047) * 32; i < 32; i++) {
+    uint64_t v = first + i;
+    check_floor_root(v);
+    if (v == 0) continue;
+    check_small(v);
+    check_floor_root(v * v);
+    check_floor_root(v * v - 1);
   }
+  /* 256 neighbours of 32 bits: 2^16 trials make 2^24 of them */
   uint64_t block = random.next() & 0xffffff00u;
   for (uint64_t i = 0; i < 256; i++) {
     uint64_t v = (block | i) == 0 ? 1 : block | i;

@@ -100,7 +100,11 @@ uint64_t origin_on_it(Random &random) {
     for (int i = 0; i < 3; i++) inward += static_cast<__int128>(d[i]) * (center[i] - origin[i]);
     expect_ray(scene, origin, d, inward > 0 ? 0 : -1);
     expect_ray(scene, origin, row[1], -1); /* along the surface */
-    return 2;
+    /* from outside, past the near root: the far one is seen from inside */
+    Vec outside = origin + row[0];
+    if (fits(outside)) check_ray(scene, outside, -row[0], UINT64_C(1) << 32);
+    if (fits(outside)) check_ray(scene, outside, -row[0], (UINT64_C(1) << 32) - 1);
+    return 4;
   }
 }
 

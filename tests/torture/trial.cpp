@@ -226,6 +226,8 @@ Frame::Frame(const Scene &scene, const std::vector<fc_light> &list, const fc_cam
   memory_.resize(fc_frame_memory(&scene_, nullptr) / sizeof(int64_t) + 1);
   int status = fc_frame_setup(&frame, &scene_, &camera_, &options, width, height, memory_.data(),
                               memory_.size() * sizeof(int64_t));
+  refused = status == FC_ERR_LIGHT;
+  if (refused) return;
   if (status != FC_OK) fail("fc_frame_setup: %s%s", fc_error_text(status), text().c_str());
   /* what camera space holds: the decisions are exact on these */
   space.scene = &frame.scene;
@@ -265,6 +267,7 @@ std::string Frame::text() const {
 }
 
 void Frame::render(uint16_t rows) {
+  if (refused) fail("fc_frame_setup refuses a light%s", text().c_str());
   size_t pixels = static_cast<size_t>(frame.width) * frame.height;
   std::vector<uint8_t> colours(3 * pixels);
   depth.assign(pixels, 0);
@@ -291,7 +294,7 @@ int Frame::check_pixel(uint16_t x, uint16_t y, uint32_t *lit_out, uint32_t *face
   oracle::Root root;
   fc_hit hit;
   uint32_t reported = 0, expected_lit = 0, faced = 0;
-  int expected = oracle::nearest(shapes, eye, d, 0, UINT64_MAX, &root);
+  int expected = oracle::nearest(shapes, eye, d, 0, UINT64_MAX, &root, true);
   int result = fc_pick(&frame, x, y, &hit, &reported);
   size_t at = static_cast<size_t>(y) * frame.width + x;
   std::string wrong;

@@ -36,6 +36,7 @@ struct Family {
 };
 
 extern const std::vector<Family> triangle_families, closed_mesh_families, sphere_families, secondary_families,
+    coherence_families,
     depth_families, number_families;
 
 /* The core's scene of a list of shapes, in the same order; planes' k must be a whole number of coordinates. */
@@ -114,6 +115,7 @@ class Frame {
   std::vector<Vec> lights;
   std::vector<uint16_t> depth, primitive;
   std::vector<uint32_t> lit;
+  bool refused; /* a light too far away for this grid: nothing else holds then */
 
  private:
   fc_scene scene_;
