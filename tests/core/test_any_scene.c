@@ -163,13 +163,13 @@ enum { TRIALS = 60 }; /* emulated */
 enum { TRIALS = 6000 };
 #endif
 
-static void test_scenes_of_any_bits(void) { run(1, TRIALS, TRIALS / 20); }
+static void test_g12_scenes_of_any_bits(void) { run(1, TRIALS, TRIALS / 20); }
 
-static void test_scenes_within_range(void) { run(0, TRIALS, TRIALS / 3); }
+static void test_g12_scenes_within_range(void) { run(0, TRIALS, TRIALS / 3); }
 
 int main(void) {
   UNITY_BEGIN();
-  RUN_TEST(test_scenes_of_any_bits);
-  RUN_TEST(test_scenes_within_range);
+  RUN_TEST(test_g12_scenes_of_any_bits);
+  RUN_TEST(test_g12_scenes_within_range);
   return UNITY_END();
 }

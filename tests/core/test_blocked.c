@@ -103,7 +103,7 @@ static void random_form(int kind, fc_form *form) {
 }
 
 /* On every kind of receiver and occluder, the exact form says what the filter says. */
-static void test_fallbacks_agree_with_filters(void) {
+static void test_g2_fallbacks_agree_with_filters(void) {
   static const fc_kind *const kinds[] = {&fc_kind_sphere, &fc_kind_plane, &fc_kind_triangle};
   static const int64_t eye[3] = {0, 0, 0};
   int trial, blocked = 0, used = 0;
@@ -153,7 +153,7 @@ static void test_fallbacks_agree_with_filters(void) {
 }
 
 /* Whole-number ends a unit or so off an edge or a tangent, at full size: every term of the filters' error bounds counts. */
-static void test_filters_hold_beside_edges_and_tangents(void) {
+static void test_g2_filters_hold_beside_edges_and_tangents(void) {
   int trial, blocked = 0;
   for (trial = 0; trial < 4000; trial++) {
     fc_form form;
@@ -208,7 +208,7 @@ static void test_filters_hold_beside_edges_and_tangents(void) {
 }
 
 /* The receiver never shadows itself, from any angle, with the exact rule. */
-static void test_a_sphere_does_not_shadow_itself(void) {
+static void test_g9_a_sphere_does_not_shadow_itself(void) {
   static const int64_t eye[3] = {0, 0, 0};
   int trial, facing = 0;
   for (trial = 0; trial < 3000; trial++) {
@@ -246,8 +246,8 @@ int main(void) {
   RUN_TEST(test_sphere_blocks);
   RUN_TEST(test_plane_blocks);
   RUN_TEST(test_triangle_blocks);
-  RUN_TEST(test_fallbacks_agree_with_filters);
-  RUN_TEST(test_filters_hold_beside_edges_and_tangents);
-  RUN_TEST(test_a_sphere_does_not_shadow_itself);
+  RUN_TEST(test_g2_fallbacks_agree_with_filters);
+  RUN_TEST(test_g2_filters_hold_beside_edges_and_tangents);
+  RUN_TEST(test_g9_a_sphere_does_not_shadow_itself);
   return UNITY_END();
 }

@@ -35,7 +35,7 @@ static uint16_t code_of(const fc_frame *frame, uint32_t b, uint8_t s, int64_t mo
 }
 
 /* Between code and code + 1: the middle rounds up (nearer), the least bit farther away rounds down. */
-static void test_rounding_is_exact_at_every_boundary(void) {
+static void test_g8_rounding_is_exact_at_every_boundary(void) {
   uint8_t bits;
   for (bits = 2; bits <= 4; bits++) {
     uint8_t m_bits = (uint8_t)(16 - bits), octaves = (uint8_t)(1 << bits);
@@ -68,7 +68,7 @@ static void test_saturation(void) {
 }
 
 /* Neighbouring codes' depths, as mantissa and exponent, are at most two worst errors apart: 2^(1-15), ... */
-static void test_decoded_steps_are_within_the_bound(void) {
+static void test_g8_decoded_steps_are_within_the_bound(void) {
   uint8_t bits;
   for (bits = 2; bits <= 4; bits++) {
     fc_frame frame;
@@ -112,9 +112,9 @@ static void test_format_follows_the_depth_range(void) {
 
 int main(void) {
   UNITY_BEGIN();
-  RUN_TEST(test_rounding_is_exact_at_every_boundary);
+  RUN_TEST(test_g8_rounding_is_exact_at_every_boundary);
   RUN_TEST(test_saturation);
-  RUN_TEST(test_decoded_steps_are_within_the_bound);
+  RUN_TEST(test_g8_decoded_steps_are_within_the_bound);
   RUN_TEST(test_format_follows_the_depth_range);
   return UNITY_END();
 }

@@ -16,7 +16,7 @@ static void assert_close(fc_num a, fc_num b, uint64_t ulps) {
   TEST_ASSERT_TRUE(fc_num_compare(difference, fc_num_mul(b, fc_num_from_u64(ulps, -63))) <= 0);
 }
 
-static void test_sqrt64_is_the_floor(void) {
+static void test_g11_sqrt64_is_the_floor(void) {
   uint32_t i;
   static const uint64_t edges[] = {0, 1, 2, 3, 4, UINT64_MAX, UINT64_MAX - 1, UINT64_C(0xfffffffe00000001),
                                    UINT64_C(0xfffffffe00000000), UINT64_C(1) << 62, (UINT64_C(1) << 62) - 1};
@@ -30,7 +30,7 @@ static void test_sqrt64_is_the_floor(void) {
   }
 }
 
-static void test_inverse_operations_return(void) {
+static void test_g11_inverse_operations_return(void) {
   int i;
   for (i = 0; i < 2000; i++) {
     fc_num a = random_num(), b = random_num();
@@ -65,8 +65,8 @@ static void test_rounding_at_the_ends(void) {
 
 int main(void) {
   UNITY_BEGIN();
-  RUN_TEST(test_sqrt64_is_the_floor);
-  RUN_TEST(test_inverse_operations_return);
+  RUN_TEST(test_g11_sqrt64_is_the_floor);
+  RUN_TEST(test_g11_inverse_operations_return);
   RUN_TEST(test_exact_cases_are_exact);
   RUN_TEST(test_rounding_at_the_ends);
   return UNITY_END();

@@ -104,7 +104,7 @@ static void test_nearest_across_kinds(void) {
 }
 
 /* Two spheres whose near points on the ray differ by far less than any value holds: sqrt(d) against sqrt(d'). */
-static void test_nearest_of_two_irrational_roots(void) {
+static void test_g2_nearest_of_two_irrational_roots(void) {
   fc_hit hit;
   int32_t i;
   for (i = 1; i < 200; i++) {
@@ -209,7 +209,7 @@ static void test_residual_offset_leaves_flat_surfaces(void) {
 }
 
 /* A rational root in disguise, (10 - sqrt 16) / 2 = 3, times a direction of length 2, against a far limit of 6. */
-static void test_far_limit_is_exact_for_spheres(void) {
+static void test_g2_far_limit_is_exact_for_spheres(void) {
   fc_root root;
   memset(&root, 0, sizeof root);
   root.p = fc_i128_from(10);
@@ -229,7 +229,7 @@ static void test_far_limit_is_exact_for_spheres(void) {
   TEST_ASSERT_EQUAL_INT8(0, fc_root_compare_q32(&root, UINT64_C(7) << 32));
 }
 
-static void test_bad_rays_are_refused(void) {
+static void test_g6_bad_rays_are_refused(void) {
   fc_hit hit;
   fc_vec3 far_off = vec(INT32_MIN, 0, 0), origin = vec(0, 0, 0);
   clear();
@@ -258,10 +258,10 @@ int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_planes);
   RUN_TEST(test_nearest_across_kinds);
-  RUN_TEST(test_nearest_of_two_irrational_roots);
+  RUN_TEST(test_g2_nearest_of_two_irrational_roots);
   RUN_TEST(test_residual_offset_leaves_the_surface);
   RUN_TEST(test_residual_offset_leaves_flat_surfaces);
-  RUN_TEST(test_far_limit_is_exact_for_spheres);
-  RUN_TEST(test_bad_rays_are_refused);
+  RUN_TEST(test_g2_far_limit_is_exact_for_spheres);
+  RUN_TEST(test_g6_bad_rays_are_refused);
   return UNITY_END();
 }

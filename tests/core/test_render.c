@@ -51,7 +51,7 @@ static uint32_t render(int format, uint16_t rows) {
   return hash;
 }
 
-static void test_strip_height_changes_nothing(void) {
+static void test_g3_strip_height_changes_nothing(void) {
   uint32_t whole;
   set_up(&s1, WIDTH, HEIGHT);
   whole = render(FC_RGB888, HEIGHT);
@@ -83,7 +83,7 @@ static void test_formats_agree(void) {
   for (i = 0; i < PIXELS * 2; i++) TEST_ASSERT_EQUAL_HEX8(rgb[i ^ 1], pixels[i]);
 }
 
-static void test_nothing_is_written_outside(void) {
+static void test_g7_nothing_is_written_outside(void) {
   fc_target t = target_of(FC_RGB888);
   size_t i;
   set_up(&s1, WIDTH, HEIGHT);
@@ -130,7 +130,7 @@ static void test_pick_agrees_with_the_picture(void) {
 }
 
 /* Multiplying the world by a power of two is a change of exponents. */
-static void test_world_scale_changes_no_bit(void) {
+static void test_g4_world_scale_changes_no_bit(void) {
   fc_scene scaled = s1;
   uint32_t one;
   int8_t e;
@@ -198,7 +198,7 @@ static void test_coincident_primitives_lowest_number(void) {
   TEST_ASSERT_EQUAL_UINT16(1, hit.object);
 }
 
-static void test_bad_arguments_are_refused(void) {
+static void test_g6_bad_arguments_are_refused(void) {
   fc_target t = target_of(FC_RGB888);
   fc_camera camera = s1_camera;
   fc_hit hit;
@@ -266,14 +266,14 @@ static void test_offset_rules(void) {
 
 int main(void) {
   UNITY_BEGIN();
-  RUN_TEST(test_strip_height_changes_nothing);
+  RUN_TEST(test_g3_strip_height_changes_nothing);
   RUN_TEST(test_formats_agree);
-  RUN_TEST(test_nothing_is_written_outside);
+  RUN_TEST(test_g7_nothing_is_written_outside);
   RUN_TEST(test_pick_agrees_with_the_picture);
-  RUN_TEST(test_world_scale_changes_no_bit);
+  RUN_TEST(test_g4_world_scale_changes_no_bit);
   RUN_TEST(test_depth_codes);
   RUN_TEST(test_coincident_primitives_lowest_number);
-  RUN_TEST(test_bad_arguments_are_refused);
+  RUN_TEST(test_g6_bad_arguments_are_refused);
   RUN_TEST(test_offset_rules);
   return UNITY_END();
 }

@@ -60,7 +60,7 @@ static int32_t quaternion_frame(int32_t row[3][3]) {
 }
 
 /* Families 19 and 20: discriminant exactly 0 is a hit; one unit of radius decides either way. */
-static void test_tangent_is_hit_and_one_unit_less_is_not(void) {
+static void test_g2_tangent_is_hit_and_one_unit_less_is_not(void) {
   int trial;
   for (trial = 0; trial < 2000; trial++) {
     int32_t f[3][3], n = quaternion_frame(f), k = random_within(1, 20000), s = random_within(1, 20000), o[3], i;
@@ -119,7 +119,7 @@ static void test_t_min_selects_the_far_root(void) {
 
 /* The rounded point: off by at most one unit an axis along the ray, whatever the sizes. The residual |P-C|^2 - r^2
  * of a point off by (e) is within 2 |e| r + |e|^2. */
-static void test_position_is_within_a_unit(void) {
+static void test_g10_position_is_within_a_unit(void) {
   int trial, hits = 0;
   for (trial = 0; trial < 2000; trial++) {
     int32_t o[3], d[3], r = random_within(1, 1 << (4 + trial % 25)), i;
@@ -157,7 +157,7 @@ static void test_extreme_magnitudes(void) {
 }
 
 /* Family 26. */
-static void test_bad_radius_is_refused(void) {
+static void test_g6_bad_radius_is_refused(void) {
   use_sphere(0, 0, 0, 0);
   TEST_ASSERT_EQUAL_INT(FC_ERR_RADIUS, fc_scene_check(&scene));
   use_sphere(0, 0, 0, -1);
@@ -174,11 +174,11 @@ static void test_bad_radius_is_refused(void) {
 
 int main(void) {
   UNITY_BEGIN();
-  RUN_TEST(test_tangent_is_hit_and_one_unit_less_is_not);
+  RUN_TEST(test_g2_tangent_is_hit_and_one_unit_less_is_not);
   RUN_TEST(test_origin_on_inside_and_past);
   RUN_TEST(test_t_min_selects_the_far_root);
-  RUN_TEST(test_position_is_within_a_unit);
+  RUN_TEST(test_g10_position_is_within_a_unit);
   RUN_TEST(test_extreme_magnitudes);
-  RUN_TEST(test_bad_radius_is_refused);
+  RUN_TEST(test_g6_bad_radius_is_refused);
   return UNITY_END();
 }

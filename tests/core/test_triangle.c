@@ -88,7 +88,7 @@ static int64_t volume(fc_vec3 a, fc_vec3 b, fc_vec3 c) {
 }
 
 /* Family 1: a ray through a point exactly on the edge of two triangles hits exactly one of them. */
-static void test_shared_edge_is_hit_once(void) {
+static void test_g1_shared_edge_is_hit_once(void) {
   int trial, used = 0;
   for (trial = 0; trial < 4000; trial++) {
     fc_vec3 o = random_vec(12), d = random_vec(8), p = add(o, times(d, random_within(1, 200))), v = random_vec(8);
@@ -118,7 +118,7 @@ static void test_shared_edge_is_hit_once(void) {
 }
 
 /* Family 2: the centre of a fan that surrounds the ray. */
-static void test_fan_centre_is_hit_once(void) {
+static void test_g1_fan_centre_is_hit_once(void) {
   static const int32_t rim[12][2] = {{10, 0}, {9, 5},   {5, 9},   {0, 10},  {-5, 9}, {-9, 5},
                                      {-10, 0}, {-9, -5}, {-5, -9}, {0, -10}, {5, -9}, {9, -5}};
   int trial;
@@ -177,7 +177,7 @@ static void test_vertex_order_changes_nothing(void) {
 
 /* Families 3 and 4 at full size: rays a unit or so beside an edge, where only the exact sum can tell. The expectation is
  * the sign of each edge form from 128-bit products, ties by the first component of N that is not 0. */
-static void test_filter_never_contradicts_the_exact_sum(void) {
+static void test_g2_filter_never_contradicts_the_exact_sum(void) {
   static const int64_t origin[3] = {0, 0, 0};
   int trial, hits = 0, undecided = 0;
   for (trial = 0; trial < 3000; trial++) {
@@ -323,10 +323,10 @@ static void test_barycentrics_add_up(void) {
 
 int main(void) {
   UNITY_BEGIN();
-  RUN_TEST(test_shared_edge_is_hit_once);
-  RUN_TEST(test_fan_centre_is_hit_once);
+  RUN_TEST(test_g1_shared_edge_is_hit_once);
+  RUN_TEST(test_g1_fan_centre_is_hit_once);
   RUN_TEST(test_vertex_order_changes_nothing);
-  RUN_TEST(test_filter_never_contradicts_the_exact_sum);
+  RUN_TEST(test_g2_filter_never_contradicts_the_exact_sum);
   RUN_TEST(test_cases_that_miss);
   RUN_TEST(test_grazing_ray_has_exact_t);
   RUN_TEST(test_extreme_magnitudes);

@@ -245,7 +245,7 @@ uint64_t extremes(Random &random) {
 }  // namespace
 
 const std::vector<Family> coherence_families = {
-    {35, "coincident shapes", 500000, 80, coincident},
-    {39, "moved, scaled, turned", 500000, 80, moved_scaled_turned},
-    {40, "all-maximum magnitudes", 500000, 200, extremes},
+    {35, "coincident shapes", 500000, 64, coincident},
+    {39, "moved, scaled, turned", 500000, 45, moved_scaled_turned},
+    {40, "all-maximum magnitudes", 1000000, 38, extremes},
 };

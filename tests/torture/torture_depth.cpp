@@ -110,5 +110,5 @@ uint64_t depth_codes(Random &random) {
 }  // namespace
 
 const std::vector<Family> depth_families = {
-    {36, "depth codes", 1000000, 20, depth_codes},
+    {36, "depth codes", 1000000, 14, depth_codes},
 };

@@ -179,5 +179,5 @@ uint64_t closed_mesh(Random &random) {
 }  // namespace
 
 const std::vector<Family> closed_mesh_families = {
-    {17, "closed meshes", 2100000, 120, closed_mesh},
+    {17, "closed meshes", 2250000, 290, closed_mesh},
 };

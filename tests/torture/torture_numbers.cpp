@@ -115,5 +115,5 @@ uint64_t numbers(Random &random) {
 }  // namespace
 
 const std::vector<Family> number_families = {
-    {41, "roots and quotients", 131072, 120, numbers},
+    {41, "roots and quotients", 131072, 150, numbers},
 };

@@ -433,9 +433,9 @@ uint64_t concave_corner(Random &random) {
 }  // namespace
 
 const std::vector<Family> secondary_families = {
-    {28, "acne on convex bodies", 300000, 700, convex_body},
-    {29, "minimum cosine", 300000, 150, minimum_cosine},
-    {30, "occluder at the light", 1000000, 15, occluder_at_the_light},
-    {31, "occluder close to the surface", 500000, 60, occluder_gap},
-    {32, "concave corner", 500000, 60, concave_corner},
+    {28, "acne on convex bodies", 100000, 1500, convex_body},
+    {29, "minimum cosine", 300000, 52, minimum_cosine},
+    {30, "occluder at the light", 1000000, 20, occluder_at_the_light},
+    {31, "occluder close to the surface", 500000, 38, occluder_gap},
+    {32, "concave corner", 500000, 27, concave_corner},
 };

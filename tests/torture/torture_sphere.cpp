@@ -218,13 +218,13 @@ uint64_t planes(Random &random) {
 }  // namespace
 
 const std::vector<Family> sphere_families = {
-    {19, "tangent", 1000000, 30, touching},
-    {20, "tangent, one unit off", 1000000, 30, touching_off_by_one},
-    {21, "tiny and far", 1000000, 15, tiny_and_far},
-    {22, "horizon", 1000000, 15, horizon},
-    {23, "origin on the sphere", 1000000, 20, origin_on_it},
-    {24, "origin inside", 1000000, 20, inside},
-    {25, "behind", 1000000, 10, behind},
-    {26, "radius refused", 1000000, 1, refused},
-    {27, "planes", 1000000, 20, planes},
+    {19, "tangent", 300000, 100, touching},
+    {20, "tangent, one unit off", 300000, 100, touching_off_by_one},
+    {21, "tiny and far", 1000000, 18, tiny_and_far},
+    {22, "horizon", 500000, 40, horizon},
+    {23, "origin on the sphere", 300000, 160, origin_on_it},
+    {24, "origin inside", 500000, 52, inside},
+    {25, "behind", 1000000, 4, behind},
+    {26, "radius refused", 100000, 1.5, refused},
+    {27, "planes", 1000000, 30, planes},
 };
