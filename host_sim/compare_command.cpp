@@ -57,16 +57,15 @@ std::string depth_text(const CompareOptions &options, const Oracle &oracle, cons
              "\", \"wrong_order\": " + std::to_string(wrong.pixels);
     char range[80];
     (void)std::snprintf(range, sizeof range, " (depths %.4g to %.4g)\n", wrong.near, wrong.far);
-    return "a z-buffer of " + options.depth_format + " without a tie rule: " +
-           count_text(wrong.pixels, "pixel") + " in the wrong order" + range;
+    return "a z-buffer of " + options.depth_format +
+           " without a tie rule: " + count_text(wrong.pixels, "pixel") + " in the wrong order" + range;
   }
   return "";
 }
 
 std::vector<std::string> depth_format_names() {
   std::vector<std::string> names;
-  for (const NamedDepthFormat &named : depth_formats())
-    names.push_back(named.name);
+  for (const NamedDepthFormat &named : depth_formats()) names.push_back(named.name);
   return names;
 }
 

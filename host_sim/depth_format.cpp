@@ -16,8 +16,8 @@ std::uint16_t encode_float(double v, int exponent_bits) {
   const double fraction = std::frexp(v, &exponent); /* 1/2 <= fraction < 1; v < 1 has exponent <= 0 */
   const int octave = exponent + octaves - 1;
   if (octave < 0) return 1;
-  const double code = std::ldexp(octave, mantissa_bits) +
-                      std::floor(std::ldexp(2 * fraction - 1, mantissa_bits) + 0.5);
+  const double code =
+      std::ldexp(octave, mantissa_bits) + std::floor(std::ldexp(2 * fraction - 1, mantissa_bits) + 0.5);
   return static_cast<std::uint16_t>(std::clamp(code, 1.0, largest_code));
 }
 
@@ -45,45 +45,35 @@ double decode_half(std::uint16_t code) {
 
 const std::vector<NamedDepthFormat> &depth_formats() {
   static const std::vector<NamedDepthFormat> all = {
-      {"e2m14", DepthFormat::e2m14},     {"e3m13", DepthFormat::e3m13},     {"e4m12", DepthFormat::e4m12},
-      {"linear", DepthFormat::linear},   {"inverse", DepthFormat::inverse}, {"half", DepthFormat::half_float}};
+      {"e2m14", DepthFormat::e2m14},   {"e3m13", DepthFormat::e3m13},     {"e4m12", DepthFormat::e4m12},
+      {"linear", DepthFormat::linear}, {"inverse", DepthFormat::inverse}, {"half", DepthFormat::half_float}};
   return all;
 }
 
 std::uint16_t depth_encode(DepthFormat format, double z, double near, double far) {
   z = std::clamp(z, near, far);
   switch (format) {
-  case DepthFormat::e2m14:
-    return encode_float(near / z, 2);
-  case DepthFormat::e3m13:
-    return encode_float(near / z, 3);
-  case DepthFormat::e4m12:
-    return encode_float(near / z, 4);
-  case DepthFormat::linear:
-    return static_cast<std::uint16_t>(std::floor(largest_code * (far - z) / (far - near) + 0.5));
-  case DepthFormat::inverse:
-    return static_cast<std::uint16_t>(
-        std::floor(largest_code * (1 / z - 1 / far) / (1 / near - 1 / far) + 0.5));
-  case DepthFormat::half_float:
-    return encode_half(near / z);
+    case DepthFormat::e2m14: return encode_float(near / z, 2);
+    case DepthFormat::e3m13: return encode_float(near / z, 3);
+    case DepthFormat::e4m12: return encode_float(near / z, 4);
+    case DepthFormat::linear:
+      return static_cast<std::uint16_t>(std::floor(largest_code * (far - z) / (far - near) + 0.5));
+    case DepthFormat::inverse:
+      return static_cast<std::uint16_t>(
+          std::floor(largest_code * (1 / z - 1 / far) / (1 / near - 1 / far) + 0.5));
+    case DepthFormat::half_float: return encode_half(near / z);
   }
   return 0;
 }
 
 double depth_decode(DepthFormat format, std::uint16_t code, double near, double far) {
   switch (format) {
-  case DepthFormat::e2m14:
-    return near / decode_float(code, 2);
-  case DepthFormat::e3m13:
-    return near / decode_float(code, 3);
-  case DepthFormat::e4m12:
-    return near / decode_float(code, 4);
-  case DepthFormat::linear:
-    return far - code * (far - near) / largest_code;
-  case DepthFormat::inverse:
-    return 1 / (1 / far + code * (1 / near - 1 / far) / largest_code);
-  case DepthFormat::half_float:
-    return near / decode_half(code);
+    case DepthFormat::e2m14: return near / decode_float(code, 2);
+    case DepthFormat::e3m13: return near / decode_float(code, 3);
+    case DepthFormat::e4m12: return near / decode_float(code, 4);
+    case DepthFormat::linear: return far - code * (far - near) / largest_code;
+    case DepthFormat::inverse: return 1 / (1 / far + code * (1 / near - 1 / far) / largest_code);
+    case DepthFormat::half_float: return near / decode_half(code);
   }
   return 0;
 }

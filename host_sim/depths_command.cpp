@@ -27,13 +27,11 @@ double worst_relative_error(DepthFormat format, double ratio) {
 int run_depths() {
   const std::vector<double> ratios = {10, 100, 1000, 10000};
   std::printf("Largest relative depth error, as a power of two, by far/near ratio\n%-10s", "format");
-  for (double ratio : ratios)
-    std::printf("%10.0f", ratio);
+  for (double ratio : ratios) std::printf("%10.0f", ratio);
   std::printf("\n");
   for (const NamedDepthFormat &named : depth_formats()) {
     std::printf("%-10s", named.name);
-    for (double ratio : ratios)
-      std::printf("%10.2f", std::log2(worst_relative_error(named.format, ratio)));
+    for (double ratio : ratios) std::printf("%10.2f", std::log2(worst_relative_error(named.format, ratio)));
     std::printf("\n");
   }
   return 0;

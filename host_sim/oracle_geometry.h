@@ -236,6 +236,7 @@ Verdict sphere_blocks(const Shape<T> &shape, Sign light_side, const Point<T> &p,
       {light_side, sign_of(point_side), sign_of(discriminant), sign_of(along), sign_of(length2 - along)},
       [](const auto &s) {
         if (s[0] * s[1] < 0) return true;
+        if (s[0] == 0 && s[1] == 0) return false; /* a chord: the open segment is inside */
         return s[0] >= 0 && s[1] >= 0 && s[2] >= 0 && s[3] > 0 && s[4] > 0;
       });
 }

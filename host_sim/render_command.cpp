@@ -1,7 +1,10 @@
 /* fixcast render: one frame by the core, as pictures and as counts. */
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "commands.h"
 #include "frame_run.h"
@@ -16,6 +19,24 @@ struct RenderOptions : SceneOptions {
   std::string frame_path, depth_path;
   int strip_rows = FC_SIZE_MAX;
 };
+
+/* Depth codes as greys for people: stretched so that the farthest surface is a dark grey and the nearest white, in the order
+ * of the codes; nothing there is black. */
+std::vector<std::uint16_t> depth_greys(std::vector<std::uint16_t> codes) {
+  constexpr std::uint32_t darkest = 6000, white = 65535;
+  std::uint32_t low = white, high = 0;
+  for (std::uint32_t code : codes) {
+    if (code == 0) continue;
+    low = std::min(low, code);
+    high = std::max(high, code);
+  }
+  for (std::uint16_t &code : codes) {
+    if (code == 0) continue;
+    const std::uint32_t range = std::max(high - low, 1u);
+    code = static_cast<std::uint16_t>(darkest + ((code - low) * (white - darkest) + range / 2) / range);
+  }
+  return codes;
+}
 
 int run_render(const RenderOptions &options) {
   if (!options.frame_path.empty() && options.frame_path == options.depth_path)
@@ -33,7 +54,9 @@ int run_render(const RenderOptions &options) {
                write_image(options.frame_path, {scene.width, scene.height, pictures.rgb888.pixels}) + "\n";
   if (!options.depth_path.empty())
     written +=
-        "wrote " + write_depth(options.depth_path, {scene.width, scene.height, pictures.rgb565.depth}) + "\n";
+        "wrote " +
+        write_depth(options.depth_path, {scene.width, scene.height, depth_greys(pictures.rgb565.depth)}) +
+        "\n";
   const std::string text =
       options.json ? "{" + frame_json(scene, counts) + "}\n" : frame_summary(scene, counts) + written;
   (void)std::fputs(text.c_str(), stdout);
@@ -48,7 +71,9 @@ void add_render_command(CLI::App &app, Action &action) {
   add_scene_options(*command, *options);
   command->add_option("-o,--output", options->frame_path, "write the frame, 8 bits a channel")
       ->type_name("FRAME.png");
-  command->add_option("--depth", options->depth_path, "write the 16-bit depth codes, nearer is brighter")
+  command
+      ->add_option("--depth", options->depth_path,
+                   "write the depth codes stretched to 16-bit greys, nearer is brighter")
       ->type_name("DEPTH.png");
   add_offset_option(*command, *options);
   command

@@ -67,7 +67,8 @@ int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *came
 int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
 
 /* What pixel (x, y) shows: 1 with *hit filled (world coordinates; lit as in fc_target, lit may be NULL),
- * 0 for background, or an error. hit->t_q32 is the depth (camera z) in world coordinates. Position is within 2 world units plus one part in 2^28 of the distance. */
+ * 0 for background, or an error. hit->t_q32 is the depth (camera z) in world coordinates. hit->position is
+ * within 2 world coordinates plus one part in 2^28 of the distance, clamped to +-FC_COORDINATE_MAX. */
 int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t *lit);
 
 /* Depth codes are the floating-point form of depth_near / z: `depth_exponent_bits` exponent bits, the rest mantissa

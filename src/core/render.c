@@ -171,7 +171,7 @@ int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t
   fc_surface_hit(&surface, hit);
   hit->t_q32 = fc_num_round(fc_num_mul(fc_root_value(&surface.root), fc_num_from_u64((uint64_t)d[2], 0)),
                             32 + frame->view.shift - frame->view.fine);
-  fc_view_to_world(&frame->view, surface.point, &hit->position);
+  fc_view_to_world(&frame->view, fc_root_value(&surface.root), d, &hit->position);
   rotate_to_world(&frame->view, &hit->normal_q30);
   if (lit != NULL) {
     fc_shade(frame, &space, &surface, rgb, &mask);

@@ -198,7 +198,7 @@ static bool exact_blocked(const fc_form *form, const fc_segment *segment, fc_i12
   fc_exact_point_of(&p, segment);
   at_point = exact_power_sign(form, &p);
   if (at_light * at_point < 0) return true;
-  if (at_light < 0 || at_point < 0) return false;
+  if (at_light < 0 || at_point < 0 || (at_light == 0 && at_point == 0)) return false;
   return exact_passes(form, segment, &p, q_light);
 }
 
@@ -248,7 +248,7 @@ static int8_t quick_blocked(const fc_form *form, const fc_segment *segment, fc_i
   at_point = certain_sign(disc, error);
   if (at_point == 0 && segment->point_error != 0) return -1;
   if (at_light * at_point < 0) return 1;
-  if (at_light < 0 || at_point < 0) return 0;
+  if (at_light < 0 || at_point < 0 || (at_light == 0 && at_point == 0)) return 0; /* no surface between them */
   /* Both ends outside. Shrink to 30 bits: each component of c off by e_c = shift > 0, of w by e_w. */
   bits = fc_vector_bits(wl);
   if (fc_vector_bits(c_light) > bits) bits = fc_vector_bits(c_light);

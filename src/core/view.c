@@ -133,27 +133,24 @@ bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponent, int64
   return true;
 }
 
-static int32_t clamp_coordinate(fc_i128 v) {
-  fc_i128 limit = fc_i128_from(FC_COORDINATE_MAX);
-  if (fc_i128_compare(fc_i128_abs(v), limit) > 0)
-    return fc_i128_sign(v) < 0 ? -FC_COORDINATE_MAX : FC_COORDINATE_MAX;
-  return (int32_t)fc_i128_to_i64(v);
+static int32_t clamp_coordinate(int64_t v) {
+  if (v > FC_COORDINATE_MAX) return FC_COORDINATE_MAX;
+  return v < -FC_COORDINATE_MAX ? -FC_COORDINATE_MAX : (int32_t)v;
 }
 
-void fc_view_to_world(const fc_view *view, const int64_t point[3], fc_vec3 *v) {
+void fc_view_to_world(const fc_view *view, fc_num t, const int64_t direction[3], fc_vec3 *v) {
   int32_t out[3];
   uint8_t i;
   for (i = 0; i < 3; i++) {
-    int64_t column[3];
-    fc_i128 q;
-    column[0] = view->row[0][i];
-    column[1] = view->row[1][i];
-    column[2] = view->row[2][i];
-    /* 60 + 30 bits, the shift at most 34 more */
-    q = fc_i128_dot(column, point);
-    q = fc_i128_round_shift(fc_i128_shift_left(q, (uint8_t)(30 + view->shift)), 60);
-    q = fc_i128_round_shift(fc_i128_add(q, fc_i128_from(view->eye[i])), view->fine);
-    out[i] = clamp_coordinate(q);
+    /* the direction's world component, Q30: unit rows times components below 2^30, below 2^62 */
+    int64_t along = view->row[0][i] * direction[0] + view->row[1][i] * direction[1] + view->row[2][i] * direction[2];
+    uint64_t step = fc_num_round(fc_num_mul(t, fc_num_from_u64(fc_abs64(along), 0)), view->shift - 30);
+    if (step >> 62) { /* far beyond any coordinate: the eye's below 2^62 too */
+      out[i] = along < 0 ? -FC_COORDINATE_MAX : FC_COORDINATE_MAX;
+    } else {
+      fc_i128 fine = fc_i128_from(view->eye[i] + (along < 0 ? -(int64_t)step : (int64_t)step));
+      out[i] = clamp_coordinate(fc_i128_to_i64(fc_i128_round_shift(fine, view->fine)));
+    }
   }
   v->x = out[0];
   v->y = out[1];

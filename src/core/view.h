@@ -15,8 +15,8 @@ int fc_view_from_camera(fc_view *view, const fc_camera *camera, uint16_t width, 
 /* The world point v * 2^exponent in camera space, rounded to the camera grid; false when beyond 2^62 units. */
 bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponent, int64_t point[3]);
 
-/* A camera-space point (grid units, below 2^60) in world coordinates, rounded, clamped to the coordinates' range. */
-void fc_view_to_world(const fc_view *view, const int64_t point[3], fc_vec3 *v);
+/* The point t * direction of camera space in world coordinates, rounded, clamped to the coordinates' range. */
+void fc_view_to_world(const fc_view *view, fc_num t, const int64_t direction[3], fc_vec3 *v);
 
 /* The eye's offset to a world point in units of 2^-fine world coordinates, exact. */
 void fc_view_offset(const fc_view *view, const fc_vec3 *v, int64_t offset[3]);

@@ -58,6 +58,7 @@ static void test_sphere_blocks(void) {
   TEST_ASSERT_EQUAL_INT(0, between(vec(-9, 0, 0), vec(-10, 0, 0)));  /* from inside to the surface */
   TEST_ASSERT_EQUAL_INT(0, between(vec(-40, 0, 0), vec(-20, 0, 0))); /* stops short */
   TEST_ASSERT_EQUAL_INT(0, between(vec(0, 10, 0), vec(20, 10, 0)));  /* tangent at its end */
+  TEST_ASSERT_EQUAL_INT(0, between(vec(6, 8, 0), vec(-6, 8, 0)));    /* a chord: both ends on it, inside between */
 }
 
 static void test_plane_blocks(void) {

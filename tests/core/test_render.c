@@ -129,6 +129,32 @@ static void test_pick_agrees_with_the_picture(void) {
   TEST_ASSERT_GREATER_THAN_INT(100, surfaces);
 }
 
+/* A far plane, an eye on the finest exponent and one on the coarsest: positions are right or clamped, never wrapped. */
+static void test_pick_of_far_points_is_clamped(void) {
+  static const fc_plane far_plane[] = {{{0, 0, 1}, 1 << 29, 8, 0, 1}};
+  static const fc_shapes tables[] = {FC_PLANES(far_plane)};
+  static const int8_t exponents[] = {-31, -16, 0};
+  fc_scene scene = s1;
+  unsigned i;
+  scene.shapes = tables;
+  scene.shape_count = 1;
+  scene.far_limit = 0;
+  for (i = 0; i < sizeof exponents; i++) {
+    fc_camera camera = s1_camera;
+    fc_hit hit;
+    camera.eye.x = camera.eye.y = camera.eye.z = 0;
+    camera.target.x = 1 << 29;
+    camera.target.y = 0;
+    camera.target.z = -1024;
+    camera.exponent = exponents[i];
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_frame_setup(&frame, &scene, &camera, NULL, 8, 8, memory, sizeof memory));
+    TEST_ASSERT_EQUAL_INT(1, fc_pick(&frame, 0, 0, &hit, NULL));
+    TEST_ASSERT_EQUAL_INT32(FC_COORDINATE_MAX, hit.position.x);
+    TEST_ASSERT_EQUAL_INT32(FC_COORDINATE_MAX, hit.position.y);
+    TEST_ASSERT_EQUAL_INT32(-FC_COORDINATE_MAX, hit.position.z);
+  }
+}
+
 /* Multiplying the world by a power of two is a change of exponents. */
 static void test_g4_world_scale_changes_no_bit(void) {
   fc_scene scaled = s1;
@@ -270,6 +296,7 @@ int main(void) {
   RUN_TEST(test_formats_agree);
   RUN_TEST(test_g7_nothing_is_written_outside);
   RUN_TEST(test_pick_agrees_with_the_picture);
+  RUN_TEST(test_pick_of_far_points_is_clamped);
   RUN_TEST(test_g4_world_scale_changes_no_bit);
   RUN_TEST(test_depth_codes);
   RUN_TEST(test_coincident_primitives_lowest_number);

@@ -209,7 +209,7 @@ int sphere_blocks(const fc_sphere &sphere, const Point &from, const Point &to) {
   const Wide at_from = dot(p, p) - square, at_to = dot(q, q) - square, length = dot(d, d), along = dot(p, d);
   if (length == 0) return -1;
   if (sign(at_from) * sign(at_to) < 0) return 1;
-  if (at_from == 0 && at_to == 0) return -1; /* a chord: see exact_passes */
+  if (at_from == 0 && at_to == 0) return 0; /* a chord */
   if (at_from < 0 || at_to < 0) return 0;
   return along < 0 && -along < length && along * along >= length * at_from;
 }
@@ -298,10 +298,7 @@ void check_position(const fc_frame &frame, std::uint16_t x, std::uint16_t y, con
                                  (frame.height - 2 * y - 1) * half / focal, 1};
   const long double depth = std::ldexp(static_cast<long double>(hit.t_q32), -32);
   const long double distance = depth * std::hypot(across[0], across[1], 1.0L);
-  const long double unit = std::ldexp(1.0L, view.shift - view.fine);
-  /* beyond 2^35 fc_view_to_world runs out of bits, beyond 2^56 grid units fc_point_at has a stand-in only */
-  if (distance > 0x1p34L || distance > 0x1p54L * unit) return;
-  const long double allowed = 4 + 2 * unit + distance * 0x1p-26L;
+  const long double allowed = 2 + distance * 0x1p-28L;
   const std::int32_t position[3] = {hit.position.x, hit.position.y, hit.position.z};
   for (int i = 0; i < 3; i++) {
     long double expected = std::ldexp(static_cast<long double>(view.eye[i]), -view.fine);

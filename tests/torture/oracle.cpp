@@ -1,4 +1,5 @@
-/* Exact answers in GMP. Triangles by Moeller and Trumbore with a real, finite nudge; spheres by Lagrange's identity. */
+/* Exact answers in GMP. Triangles by Moeller and Trumbore with a real, finite nudge; spheres by Lagrange's
+ * identity. */
 #include "oracle.h"
 
 namespace oracle {
@@ -48,7 +49,9 @@ Surd operator-(const Surd &a, const Surd &b) { return {a.x - b.x, a.y - b.y}; }
 
 struct Field {
   const Z &d;
-  Surd times(const Surd &a, const Surd &b) const { return {a.x * b.x + a.y * b.y * d, a.x * b.y + a.y * b.x}; }
+  Surd times(const Surd &a, const Surd &b) const {
+    return {a.x * b.x + a.y * b.y * d, a.x * b.y + a.y * b.x};
+  }
   int sign(const Surd &a) const {
     if (a.y == 0) return sgn(a.x);
     return surd_sign(a.x, a.y, d, 0, 0);
@@ -111,11 +114,11 @@ Numerators moller_trumbore(const Shape &s, const ZVec &origin, const ZVec &direc
   return n;
 }
 
-}  // namespace
+} // namespace
 
 int surd_sign(const Z &x, const Z &y, const Z &d, const Z &z, const Z &e) {
-  /* Multiplied with its conjugates a value that is not 0 is a whole number, and each of those three factors is below
-   * 2^(bits + 3): so it is itself above 2^-3(bits + 3). */
+  /* Multiplied with its conjugates a value that is not 0 is a whole number, and each of those three
+   * factors is below 2^(bits + 3): so it is itself above 2^-3(bits + 3). */
   size_t bits = mpz_sizeinbase(x.get_mpz_t(), 2), more;
   more = mpz_sizeinbase(y.get_mpz_t(), 2) + mpz_sizeinbase(d.get_mpz_t(), 2) / 2 + 1;
   if (more > bits) bits = more;
@@ -143,7 +146,8 @@ Q approximate(const Root &root) {
 }
 
 int compare(const Root &root, const Q &value) {
-  return surd_sign(root.p * value.get_den() - value.get_num() * root.m, root.q * value.get_den(), root.d, 0, 0);
+  return surd_sign(root.p * value.get_den() - value.get_num() * root.m, root.q * value.get_den(), root.d, 0,
+                   0);
 }
 
 std::vector<Root> roots(const Shape &s, Vec origin, Vec direction) {
@@ -151,12 +155,14 @@ std::vector<Root> roots(const Shape &s, Vec origin, Vec direction) {
   if (s.kind == Shape::sphere) {
     /* |D x OC|^2 <= r^2 |D|^2 */
     ZVec d = direction, oc = minus(s.a, origin), across = outer(d, oc);
-    Z length2 = inner(d, d), radius2 = Z(static_cast<long>(s.r)) * static_cast<long>(s.r), along = inner(d, oc);
+    Z length2 = inner(d, d), radius2 = Z(static_cast<long>(s.r)) * static_cast<long>(s.r),
+      along = inner(d, oc);
     Z rest = radius2 * length2 - inner(across, across);
     if (rest < 0) return found;
     for (int q = -1; q <= 1; q += 2) {
       Root root = {along, length2, rest, q};
-      if (surd_sign(along, q, rest, 0, 0) > 0 && !(q == 1 && rest == 0 && !found.empty())) found.push_back(root);
+      if (surd_sign(along, q, rest, 0, 0) > 0 && !(q == 1 && rest == 0 && !found.empty()))
+        found.push_back(root);
     }
   } else if (s.kind == Shape::plane) {
     ZVec n;
@@ -173,7 +179,8 @@ std::vector<Root> roots(const Shape &s, Vec origin, Vec direction) {
       /* The nudge by (e, e^2, e^3), with e = 2^-100 where everything that matters is above 2^-67. */
       ZVec nudged;
       for (int i = 0; i < 3; i++)
-        nudged[i] = (Z(static_cast<long>(direction[i])) << 300) + (Z(1) << static_cast<unsigned>(200 - 100 * i));
+        nudged[i] =
+            (Z(static_cast<long>(direction[i])) << 300) + (Z(1) << static_cast<unsigned>(200 - 100 * i));
       Numerators m = moller_trumbore(s, origin, nudged);
       if (m.det == 0 || m.u <= 0 || m.v <= 0 || m.det - m.u - m.v <= 0) return found;
     }
@@ -189,10 +196,11 @@ bool is_tie(const Shape &s, Vec origin, Vec direction) {
   return n.det != 0 && n.u >= 0 && n.v >= 0 && w >= 0 && (n.u == 0 || n.v == 0 || w == 0);
 }
 
-int nearest(const std::vector<Shape> &shapes, Vec origin, Vec direction, uint64_t t_min_q32, uint64_t t_max_q32,
-            Root *root, bool endless) {
+int nearest(const std::vector<Shape> &shapes, Vec origin, Vec direction, uint64_t t_min_q32,
+            uint64_t t_max_q32, Root *root, bool endless) {
   int best = -1;
-  Q low(Z(static_cast<unsigned long>(t_min_q32)), Z(1) << 32), high(Z(static_cast<unsigned long>(t_max_q32)), Z(1) << 32);
+  Q low(Z(static_cast<unsigned long>(t_min_q32)), Z(1) << 32),
+      high(Z(static_cast<unsigned long>(t_max_q32)), Z(1) << 32);
   low.canonicalize();
   high.canonicalize();
   for (size_t i = 0; i < shapes.size(); i++)
@@ -332,7 +340,8 @@ bool depth_code_holds(uint16_t code, int exponent_bits, uint32_t near, const Roo
   auto boundary_below = [&](uint32_t c) {
     /* half-way between c - 1 and c: a c that starts an octave has a neighbour half as far below */
     auto value = [&](uint32_t v) {
-      Q q(Z((1u << m_bits) + (v & ((1u << m_bits) - 1))) << (v >> m_bits), Z(1) << static_cast<unsigned>(octaves + m_bits));
+      Q q(Z((1u << m_bits) + (v & ((1u << m_bits) - 1))) << (v >> m_bits),
+          Z(1) << static_cast<unsigned>(octaves + m_bits));
       q.canonicalize();
       return q;
     };
@@ -340,7 +349,8 @@ bool depth_code_holds(uint16_t code, int exponent_bits, uint32_t near, const Roo
   };
   /* v >= boundary <=> near / boundary >= t focal */
   auto at_least = [&](uint32_t c) {
-    return compare(root, Q(Q(static_cast<unsigned long>(near)) / boundary_below(c) / static_cast<long>(focal))) <= 0;
+    return compare(root, Q(Q(static_cast<unsigned long>(near)) / boundary_below(c) /
+                           static_cast<long>(focal))) <= 0;
   };
   if (code == 0) return false;
   if (code > 1 && !at_least(code)) return false;
@@ -362,4 +372,4 @@ std::string text(const Root &root) {
          root.d.get_str() + ")) / " + root.m.get_str();
 }
 
-}  // namespace oracle
+} // namespace oracle

@@ -1,4 +1,5 @@
-/* What exact arithmetic says about rays, segments and depths: GMP integers, no code and no formula of the core. */
+/* What exact arithmetic says about rays, segments and depths: GMP integers, no code and no formula of the
+ * core. */
 #ifndef TORTURE_ORACLE_H
 #define TORTURE_ORACLE_H
 
@@ -15,12 +16,18 @@ using Z = mpz_class;
 using Q = mpq_class;
 
 struct Shape {
-  enum Kind { sphere, plane, triangle } kind;
-  Vec a, b, c;  /* center; normal; the three vertices */
-  int64_t r;    /* radius; k of normal . p = k */
+  enum Kind {
+    sphere,
+    plane,
+    triangle
+  } kind;
+  Vec a, b, c; /* center; normal; the three vertices */
+  int64_t r;   /* radius; k of normal . p = k */
 };
 
-inline Shape sphere(Vec center, int64_t radius) { return {Shape::sphere, center, {0, 0, 0}, {0, 0, 0}, radius}; }
+inline Shape sphere(Vec center, int64_t radius) {
+  return {Shape::sphere, center, {0, 0, 0}, {0, 0, 0}, radius};
+}
 inline Shape plane(Vec normal, int64_t k) { return {Shape::plane, normal, {0, 0, 0}, {0, 0, 0}, k}; }
 inline Shape triangle(Vec a, Vec b, Vec c) { return {Shape::triangle, a, b, c, 0}; }
 
@@ -45,8 +52,8 @@ std::vector<Root> roots(const Shape &shape, Vec origin, Vec direction);
 bool is_tie(const Shape &triangle, Vec origin, Vec direction);
 
 /* The first shape within t_min < t < t_max (Q32), or -1; endless: t_max does not count. */
-int nearest(const std::vector<Shape> &shapes, Vec origin, Vec direction, uint64_t t_min_q32, uint64_t t_max_q32,
-            Root *root, bool endless = false);
+int nearest(const std::vector<Shape> &shapes, Vec origin, Vec direction, uint64_t t_min_q32,
+            uint64_t t_max_q32, Root *root, bool endless = false);
 
 /* An exact point (u + v sqrt(d)) / m. */
 struct Point {
@@ -62,7 +69,8 @@ bool faces(const Shape &shape, Vec origin, Vec direction, const Point &point, Ve
 /* Whether the ray meets the back: normal . direction > 0. */
 bool from_inside(const Shape &shape, Vec direction, const Point &point);
 
-/* Not rounded yet: the unit normal's component i as a fraction, towards the ray's side, error below 2^-100. */
+/* Not rounded yet: the unit normal's component i as a fraction, towards the ray's side, error below
+ * 2^-100. */
 Q normal_component(const Shape &shape, Vec direction, const Point &point, int i);
 /* Weight of triangle vertex i at the hit. */
 Q weight(const Shape &triangle, Vec origin, Vec direction, int i);
@@ -76,6 +84,6 @@ std::string text(const Shape &shape);
 std::string text(Vec v);
 std::string text(const Root &root);
 
-}  // namespace oracle
+} // namespace oracle
 
 #endif

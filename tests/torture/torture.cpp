@@ -1,4 +1,5 @@
-/* The runner: picks families, spreads their trials over threads, keeps its place in a file, shows how to replay. */
+/* The runner: picks families, spreads their trials over threads, keeps its place in a file, shows how to
+ * replay. */
 #include <unistd.h>
 
 #include <algorithm>
@@ -42,18 +43,21 @@ struct Options {
 struct Progress {
   std::mutex mutex;
   std::vector<char> done;
-  size_t prefix = 0; /* chunks finished, counted from the first without a gap */
+  size_t prefix = 0;                /* chunks finished, counted from the first without a gap */
   uint64_t checked = 0, before = 0; /* rays, segments, values; those of earlier runs */
   std::string failure;
-  std::vector<double> seconds;       /* a family, in the families' order */
+  std::vector<double> seconds; /* a family, in the families' order */
   std::vector<uint64_t> family_rays, family_trials;
 };
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
-/* FNV-1a of the program itself and the plan: a state of other code or other numbers is no place to go on from. */
+/* FNV-1a of the program itself and the plan: a state of other code or other numbers is no place to go on
+ * from. */
 uint64_t fingerprint(const Options &options) {
   uint64_t h = UINT64_C(0xcbf29ce484222325);
   auto add = [&](unsigned char c) { h = (h ^ c) * UINT64_C(0x100000001b3); };
@@ -61,7 +65,8 @@ uint64_t fingerprint(const Options &options) {
     for (int c; (c = std::fgetc(self)) != EOF;) add(static_cast<unsigned char>(c));
     std::fclose(self);
   }
-  for (uint64_t v : {static_cast<uint64_t>(options.family), options.trials, options.seed, static_cast<uint64_t>(options.full)})
+  for (uint64_t v : {static_cast<uint64_t>(options.family), options.trials, options.seed,
+                     static_cast<uint64_t>(options.full)})
     for (int i = 0; i < 8; i++) add(static_cast<unsigned char>(v >> (8 * i)));
   return h;
 }
@@ -85,8 +90,8 @@ bool load(const std::string &path, uint64_t print_of_run, size_t *prefix, uint64
 
 std::vector<const Family *> all_families() {
   std::vector<const Family *> all;
-  for (const auto *list : {&triangle_families, &closed_mesh_families, &sphere_families, &secondary_families, &depth_families,
-                           &coherence_families, &number_families})
+  for (const auto *list : {&triangle_families, &closed_mesh_families, &sphere_families, &secondary_families,
+                           &depth_families, &coherence_families, &number_families})
     for (const Family &family : *list) all.push_back(&family);
   std::sort(all.begin(), all.end(), [](const Family *a, const Family *b) { return a->number < b->number; });
   return all;
@@ -99,7 +104,8 @@ std::string run_trial(const Family &family, uint64_t seed, uint64_t *checked) {
     *checked += family.run(random);
     return "";
   } catch (const Failure &failure) {
-    return print("FAIL family %d (%s), seed %#" PRIx64 "\n", family.number, family.name, seed) + failure.text +
+    return print("FAIL family %d (%s), seed %#" PRIx64 "\n", family.number, family.name, seed) +
+           failure.text +
            print("\nreplay: torture --family %d --seed %#" PRIx64 " --trials 1\n", family.number, seed);
   }
 }
@@ -139,7 +145,7 @@ bool parse(int argc, char **argv, Options *options) {
   return true;
 }
 
-}  // namespace
+} // namespace
 
 int main(int argc, char **argv) {
   Options options;
@@ -183,14 +189,16 @@ int main(int argc, char **argv) {
   uint64_t print_of_run = fingerprint(options);
   if (!options.state.empty() && load(options.state, print_of_run, &progress.prefix, &progress.before) &&
       progress.prefix <= plan.size()) {
-    std::printf("going on from %s: %zu of %zu parts are done\n", options.state.c_str(), progress.prefix, plan.size());
+    std::printf("going on from %s: %zu of %zu parts are done\n", options.state.c_str(), progress.prefix,
+                plan.size());
   } else {
     progress.prefix = 0;
     progress.before = 0;
   }
   std::fill(progress.done.begin(), progress.done.begin() + static_cast<long>(progress.prefix), 1);
   double cost_skipped = 0, cost_done = 0;
-  for (size_t i = 0; i < progress.prefix; i++) cost_skipped += static_cast<double>(plan[i].count) * plan[i].family->cost;
+  for (size_t i = 0; i < progress.prefix; i++)
+    cost_skipped += static_cast<double>(plan[i].count) * plan[i].family->cost;
 
   std::atomic<size_t> next(progress.prefix);
   std::atomic<bool> stop(false);
@@ -220,7 +228,8 @@ int main(int argc, char **argv) {
       chunk_checked[i] = checked;
       progress.done[i] = 1;
       cost_done += static_cast<double>(chunk.count) * chunk.family->cost;
-      while (progress.prefix < plan.size() && progress.done[progress.prefix]) saved_checked += chunk_checked[progress.prefix++];
+      while (progress.prefix < plan.size() && progress.done[progress.prefix])
+        saved_checked += chunk_checked[progress.prefix++];
     }
   };
 
@@ -243,10 +252,12 @@ int main(int argc, char **argv) {
       if (end) break;
       if (now - shown > (terminal ? 0.5 : 60) && progress.prefix < plan.size()) {
         double rest = cost_done > 0 ? now * (cost_all - cost_skipped - cost_done) / cost_done : 0;
-        std::printf("%sfamily %d, %.0f %% done, %.3g million checks, about %.0f min %02d s to go%s", terminal ? "\r" : "",
-                    plan[progress.prefix].family->number, 100 * (cost_skipped + cost_done) / cost_all,
-                    static_cast<double>(progress.before + progress.checked) / 1e6, static_cast<double>(static_cast<int>(rest / 60)),
-                    static_cast<int>(rest) % 60, terminal ? "    " : "\n");
+        std::printf("%sfamily %d, %.0f %% done, %.3g million checks, about %.0f min %02d s to go%s",
+                    terminal ? "\r" : "", plan[progress.prefix].family->number,
+                    100 * (cost_skipped + cost_done) / cost_all,
+                    static_cast<double>(progress.before + progress.checked) / 1e6,
+                    static_cast<double>(static_cast<int>(rest / 60)), static_cast<int>(rest) % 60,
+                    terminal ? "    " : "\n");
         std::fflush(stdout);
         shown = now;
       }
@@ -262,9 +273,11 @@ int main(int argc, char **argv) {
   std::printf("family  trials      checks      seconds  trials/s  what\n");
   for (size_t f = 0; f < families.size(); f++) {
     if (progress.family_trials[f] == 0) continue;
-    std::printf("%6d  %-10" PRIu64 "  %-10" PRIu64 "  %7.2f  %8.0f  %s\n", families[f]->number, progress.family_trials[f],
-                progress.family_rays[f], progress.seconds[f],
-                progress.seconds[f] > 0 ? static_cast<double>(progress.family_trials[f]) / progress.seconds[f] : 0.0, families[f]->name);
+    std::printf(
+        "%6d  %-10" PRIu64 "  %-10" PRIu64 "  %7.2f  %8.0f  %s\n", families[f]->number,
+        progress.family_trials[f], progress.family_rays[f], progress.seconds[f],
+        progress.seconds[f] > 0 ? static_cast<double>(progress.family_trials[f]) / progress.seconds[f] : 0.0,
+        families[f]->name);
   }
   std::printf("%" PRIu64 " checks, 0 failures\n", progress.before + progress.checked);
   if (!options.state.empty()) std::remove(options.state.c_str());

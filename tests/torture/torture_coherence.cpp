@@ -1,4 +1,5 @@
-/* The same answers for the same question: coincident shapes, moved, scaled and turned scenes, extreme fields (35, 39, 40). */
+/* The same answers for the same question: coincident shapes, moved, scaled and turned scenes, extreme
+ * fields (35, 39, 40). */
 #include <algorithm>
 
 #include "trial.h"
@@ -14,7 +15,8 @@ namespace {
 
 template <typename T>
 void shuffle(Random &random, std::vector<T> *list) {
-  for (size_t i = list->size(); i > 1; i--) std::swap((*list)[i - 1], (*list)[static_cast<size_t>(random.within(0, static_cast<int64_t>(i) - 1))]);
+  for (size_t i = list->size(); i > 1; i--)
+    std::swap((*list)[i - 1], (*list)[static_cast<size_t>(random.within(0, static_cast<int64_t>(i) - 1))]);
 }
 
 uint64_t coincident(Random &random) {
@@ -32,11 +34,13 @@ uint64_t coincident(Random &random) {
     __int128 k = 0;
     for (int c = 0; c < 3; c++) k += static_cast<__int128>(normal[c]) * p[c];
     if (k <= coordinate_max && k >= -coordinate_max) shapes.push_back(plane(normal, static_cast<int64_t>(k)));
-    if (random.flip()) shapes.push_back(shapes[static_cast<size_t>(random.within(0, static_cast<int64_t>(shapes.size()) - 1))]);
-    if (random.within(0, 3) == 0) shapes.push_back(sphere(p - row[0] * s + d * 4, n * s)); /* somewhere near */
+    if (random.flip())
+      shapes.push_back(
+          shapes[static_cast<size_t>(random.within(0, static_cast<int64_t>(shapes.size()) - 1))]);
+    if (random.within(0, 3) == 0)
+      shapes.push_back(sphere(p - row[0] * s + d * 4, n * s)); /* somewhere near */
     bool good = fits(origin) && fits(d) && n * s <= coordinate_max;
-    for (const Shape &shape : shapes)
-      good = good && fits(shape.a) && fits(shape.b) && fits(shape.c);
+    for (const Shape &shape : shapes) good = good && fits(shape.a) && fits(shape.b) && fits(shape.c);
     if (!good) continue;
     shuffle(random, &shapes);
     Scene scene(shapes);
@@ -61,7 +65,8 @@ uint64_t coincident(Random &random) {
       frame.render(static_cast<uint16_t>(random.within(1, 3)));
       for (uint16_t at = 0; at < 9; at = static_cast<uint16_t>(at + 2)) {
         int seen = frame.check_pixel(at % 3, at / 3);
-        if (seen >= static_cast<int>(shapes.size())) fail("the second copy %d is seen%s", seen, frame.text().c_str());
+        if (seen >= static_cast<int>(shapes.size()))
+          fail("the second copy %d is seen%s", seen, frame.text().c_str());
       }
     }
     return 1;
@@ -90,7 +95,8 @@ uint64_t moved_scaled_turned(Random &random) {
     Vec origin = random.vec(20), d = random.direction(14), end = origin + d * random.within(1, 1 << 5);
     for (int64_t i = random.within(1, 3); i > 0; i--) shapes.push_back(any_shape(random, 18));
     if (shapes[0].kind == Shape::sphere && random.flip()) d = shapes[0].a - origin;
-    if (shapes[0].kind == Shape::triangle) d = random.flip() ? shapes[0].a - origin : shapes[0].a + shapes[0].b + shapes[0].c - origin * 3;
+    if (shapes[0].kind == Shape::triangle)
+      d = random.flip() ? shapes[0].a - origin : shapes[0].a + shapes[0].b + shapes[0].c - origin * 3;
     if (is_zero(d)) continue;
     Vec shift = random.vec(28);
     int scale = static_cast<int>(random.within(0, 7));
@@ -132,30 +138,33 @@ uint64_t moved_scaled_turned(Random &random) {
     check_ray(base, origin, d);
 
     auto differ = [&](const char *what, const Scene &scene) {
-      fail("%s: %s\n  ray from %s along %s%s\n becomes%s", what, hit ? "hit" : "miss", oracle::text(origin).c_str(),
-           oracle::text(d).c_str(), base.text().c_str(), scene.text().c_str());
+      fail("%s: %s\n  ray from %s along %s%s\n becomes%s", what, hit ? "hit" : "miss",
+           oracle::text(origin).c_str(), oracle::text(d).c_str(), base.text().c_str(), scene.text().c_str());
     };
     bool same = shoot(shifted, origin + shift, d, &b) == hit;
     if (same && hit)
-      same = a.primitive == b.primitive && a.t_q32 == b.t_q32 && from_core(a.normal_q30) == from_core(b.normal_q30) &&
-             a.inside == b.inside &&
-             (largest(from_core(a.position)) >= INT64_C(1) << 29 || from_core(a.position) + shift == from_core(b.position));
+      same = a.primitive == b.primitive && a.t_q32 == b.t_q32 &&
+             from_core(a.normal_q30) == from_core(b.normal_q30) && a.inside == b.inside &&
+             (largest(from_core(a.position)) >= INT64_C(1) << 29 ||
+              from_core(a.position) + shift == from_core(b.position));
     if (!same) differ("moved", shifted);
 
     Vec wide = d * two;
     if (fits(origin * two) && fits(wide)) {
       same = shoot(scaled, origin * two, wide, &b) == hit;
       if (same && hit)
-        same = a.primitive == b.primitive && a.t_q32 == b.t_q32 && a.inside == b.inside &&
-               std::equal(a.barycentric_q30, a.barycentric_q30 + 3, b.barycentric_q30) &&
-               (shapes[a.primitive].kind == Shape::sphere || from_core(a.normal_q30) == from_core(b.normal_q30));
+        same =
+            a.primitive == b.primitive && a.t_q32 == b.t_q32 && a.inside == b.inside &&
+            std::equal(a.barycentric_q30, a.barycentric_q30 + 3, b.barycentric_q30) &&
+            (shapes[a.primitive].kind == Shape::sphere || from_core(a.normal_q30) == from_core(b.normal_q30));
       if (!same) differ("times a power of two", scaled);
     }
 
     if (!tie) {
       same = shoot(swapped, turn(origin), turn(d), &b) == hit;
       if (same && hit)
-        same = a.primitive == b.primitive && a.t_q32 == b.t_q32 && turn(from_core(a.normal_q30)) == from_core(b.normal_q30) &&
+        same = a.primitive == b.primitive && a.t_q32 == b.t_q32 &&
+               turn(from_core(a.normal_q30)) == from_core(b.normal_q30) &&
                turn(from_core(a.position)) == from_core(b.position);
       if (!same) differ("axes swapped", swapped);
     }
@@ -176,7 +185,8 @@ uint64_t moved_scaled_turned(Random &random) {
 /* ---- 40 ---- */
 
 int64_t extreme(Random &random) {
-  static const int64_t values[] = {coordinate_max, coordinate_max, coordinate_max - 1, coordinate_max / 2, coordinate_max / 2 + 1, 1, 0};
+  static const int64_t values[] = {
+      coordinate_max, coordinate_max, coordinate_max - 1, coordinate_max / 2, coordinate_max / 2 + 1, 1, 0};
   int64_t v = values[random.within(0, 6)];
   return random.flip() ? v : -v;
 }
@@ -202,7 +212,11 @@ uint64_t extremes(Random &random) {
     int64_t r = std::llabs(extreme(random));
     switch (random.within(0, 2)) {
       case 0: shapes.push_back(sphere(extreme_vec(random), r < 1 ? 1 : r)); break;
-      case 1: shapes.push_back(plane(extreme_direction(random), extreme(random) * (INT64_C(1) << (random.flip() ? 32 : random.within(0, 32))))); break;
+      case 1:
+        shapes.push_back(
+            plane(extreme_direction(random),
+                  extreme(random) * (INT64_C(1) << (random.flip() ? 32 : random.within(0, 32)))));
+        break;
       default: shapes.push_back(triangle(extreme_vec(random), extreme_vec(random), extreme_vec(random)));
     }
   }
@@ -210,7 +224,8 @@ uint64_t extremes(Random &random) {
   Vec origin = extreme_vec(random), d = extreme_direction(random), end = extreme_vec(random);
   uint64_t t_min = random.within(0, 3) == 0 ? random.next() >> random.within(0, 63) : 0;
   check_ray(scene, origin, d);
-  check_ray(scene, origin, d, t_min, t_min == 0 || random.flip() ? UINT64_MAX : t_min + (random.next() >> 30));
+  check_ray(scene, origin, d, t_min,
+            t_min == 0 || random.flip() ? UINT64_MAX : t_min + (random.next() >> 30));
   check_segment(scene, origin, end);
   if (random.within(0, 3) != 0) return 3;
 
@@ -233,16 +248,18 @@ uint64_t extremes(Random &random) {
   camera.tan_half_fov_denominator = static_cast<uint32_t>(random.within(1, 1 << 12));
   std::vector<fc_light> lights = {light_at(extreme_vec(random), static_cast<int>(random.within(-31, 0))),
                                   light_at(extreme_vec(random), static_cast<int>(random.within(0, 28)))};
-  uint16_t width = static_cast<uint16_t>(random.within(1, 5)), height = static_cast<uint16_t>(random.within(1, 5));
+  uint16_t width = static_cast<uint16_t>(random.within(1, 5)),
+           height = static_cast<uint16_t>(random.within(1, 5));
   Frame frame(scene, lights, camera, width, height, FC_OFFSET_EXACT);
   if (frame.refused) return 3;
   frame.render(static_cast<uint16_t>(random.within(1, height)));
   for (int i = 0; i < 3; i++)
-    frame.check_pixel(static_cast<uint16_t>(random.within(0, width - 1)), static_cast<uint16_t>(random.within(0, height - 1)));
+    frame.check_pixel(static_cast<uint16_t>(random.within(0, width - 1)),
+                      static_cast<uint16_t>(random.within(0, height - 1)));
   return 6;
 }
 
-}  // namespace
+} // namespace
 
 const std::vector<Family> coherence_families = {
     {35, "coincident shapes", 500000, 64, coincident},

@@ -20,7 +20,8 @@ uint64_t depth_codes(Random &random) {
   int m_bits = 16 - bits;
   Z near = static_cast<unsigned long>(frame.depth_near), focal = static_cast<long>(frame.view.focal);
   Z mantissa2 = 2 * Z((1ul << m_bits) + (code & ((1u << m_bits) - 1))) + 1; /* twice, and a half */
-  /* t = near 2^(octaves + m_bits - octave + 1) / (mantissa2 focal), halves exactly; p may carry one more unit */
+  /* t = near 2^(octaves + m_bits - octave + 1) / (mantissa2 focal), halves exactly; p may carry one more
+   * unit */
   Z p = near << static_cast<unsigned>(octaves + m_bits - (code >> m_bits) + 1), m = mantissa2 * focal;
   Z scale = 1;
   size_t wide = mpz_sizeinbase(p.get_mpz_t(), 2);
@@ -31,7 +32,8 @@ uint64_t depth_codes(Random &random) {
   m = m * scale;
   if (p <= 0) return 0;
   auto core = [](const Z &v) {
-    fc_i128 r = {static_cast<uint64_t>(Z(v & UINT64_MAX).get_ui()), static_cast<uint64_t>(Z(v >> 64).get_ui())};
+    fc_i128 r = {static_cast<uint64_t>(Z(v & UINT64_MAX).get_ui()),
+                 static_cast<uint64_t>(Z(v >> 64).get_ui())};
     return r;
   };
   oracle::Root exact = {p, m, 0, 0};
@@ -62,13 +64,15 @@ uint64_t depth_codes(Random &random) {
          static_cast<unsigned long>(frame.depth_near), static_cast<long>(frame.view.focal), bits,
          oracle::text(exact).c_str());
 
-  /* decode: against near 2^.. / mantissa, the mantissa within 2^-30, and the whole cell of the code within its bound */
+  /* decode: against near 2^.. / mantissa, the mantissa within 2^-30, and the whole cell of the code within
+   * its bound */
   int exponent = 0, exponent_next = 0;
   frame.view.shift = static_cast<int16_t>(random.within(-30, 34));
   frame.view.fine = static_cast<uint8_t>(random.within(0, 31));
   auto decoded = [&](uint16_t c, int *e) {
     uint32_t mantissa = fc_depth_z(&frame, c, e);
-    if (mantissa < UINT32_C(0x80000000)) fail("fc_depth_z(%u): mantissa %lu", c, static_cast<unsigned long>(mantissa));
+    if (mantissa < UINT32_C(0x80000000))
+      fail("fc_depth_z(%u): mantissa %lu", c, static_cast<unsigned long>(mantissa));
     Q z = static_cast<unsigned long>(mantissa);
     int up = *e - frame.view.shift + frame.view.fine;
     if (up >= 0)
@@ -78,7 +82,8 @@ uint64_t depth_codes(Random &random) {
     return z; /* in grid units */
   };
   auto value = [&](uint32_t c) {
-    Q v(Z((1ul << m_bits) + (c & ((1u << m_bits) - 1))) << (c >> m_bits), Z(1) << static_cast<unsigned>(octaves + m_bits));
+    Q v(Z((1ul << m_bits) + (c & ((1u << m_bits) - 1))) << (c >> m_bits),
+        Z(1) << static_cast<unsigned>(octaves + m_bits));
     v.canonicalize();
     return v;
   };
@@ -86,12 +91,15 @@ uint64_t depth_codes(Random &random) {
   if (abs(Q(z / ideal - 1)) > Q(1, 1ul << 30))
     fail("fc_depth_z(%u) is off by %g; near %lu, %d exponent bits", code, Q(z / ideal - 1).get_d(),
          static_cast<unsigned long>(frame.depth_near), bits);
-  if (code < 0xffff && decoded(static_cast<uint16_t>(code + 1), &exponent_next) >= z) fail("fc_depth_z(%u) is not nearer than %u's", code + 1, code);
+  if (code < 0xffff && decoded(static_cast<uint16_t>(code + 1), &exponent_next) >= z)
+    fail("fc_depth_z(%u) is not nearer than %u's", code + 1, code);
   /* farthest and nearest z that round to this code */
   if (code > 1 && code < 0xffff) {
     Q bound = Q(1, 1ul << (17 - bits)) + Q(1, 1ul << 29);
-    Q far = Q(near) / ((value(code - 1u) + value(code)) / 2), close = Q(near) / ((value(code) + value(code + 1u)) / 2);
-    if (abs(Q(z / far - 1)) > bound || abs(Q(z / close - 1)) > bound) fail("code %u holds z beyond its stated error", code);
+    Q far = Q(near) / ((value(code - 1u) + value(code)) / 2),
+      close = Q(near) / ((value(code) + value(code + 1u)) / 2);
+    if (abs(Q(z / far - 1)) > bound || abs(Q(z / close - 1)) > bound)
+      fail("code %u holds z beyond its stated error", code);
   }
 
   /* whole numbers of z in a row: codes never rise with z */
@@ -101,13 +109,14 @@ uint64_t depth_codes(Random &random) {
   for (uint64_t i = 0; i < 4; i++) {
     fc_root at = {fc_i128_from_u64(first + i), fc_i128_from_u64(1), {0, 0}, {0, 0}, 0};
     uint16_t now = fc_depth_code(&frame, &at);
-    if (now > last || now == 0) fail("depth code %u at z = %llu after %u", now, static_cast<unsigned long long>(first + i), last);
+    if (now > last || now == 0)
+      fail("depth code %u at z = %llu after %u", now, static_cast<unsigned long long>(first + i), last);
     last = now;
   }
   return 6;
 }
 
-}  // namespace
+} // namespace
 
 const std::vector<Family> depth_families = {
     {36, "depth codes", 1000000, 14, depth_codes},

@@ -1,4 +1,5 @@
-/* Closed meshes: rays aimed at their edges and vertices from one origin all cross them equally often, modulo 2 (17). */
+/* Closed meshes: rays aimed at their edges and vertices from one origin all cross them equally often,
+ * modulo 2 (17). */
 #include "trial.h"
 
 namespace {
@@ -21,7 +22,7 @@ void add_face(Mesh *mesh, int a, int b, int c) {
 
 /* The two poles at the ends of an axis and a ring of 3 to 12 between them. */
 void bipyramid(Random &random, Mesh *mesh, int64_t size) {
-  static const int8_t circle[12][2] = {{10, 0}, {9, 5},   {5, 9},   {0, 10},  {-5, 9}, {-9, 5},
+  static const int8_t circle[12][2] = {{10, 0},  {9, 5},   {5, 9},   {0, 10},  {-5, 9}, {-9, 5},
                                        {-10, 0}, {-9, -5}, {-5, -9}, {0, -10}, {5, -9}, {9, -5}};
   int ring = static_cast<int>(random.within(3, 12)), turn = static_cast<int>(random.within(0, 2));
   mesh->vertices = ring + 2;
@@ -37,17 +38,21 @@ void bipyramid(Random &random, Mesh *mesh, int64_t size) {
     add_face(mesh, i, ring + 1, (i + 1) % ring);
   }
   for (int i = 0; i < mesh->vertices; i++)
-    for (int j = 0; j < turn; j++) mesh->vertex[i] = {mesh->vertex[i].y, mesh->vertex[i].z, mesh->vertex[i].x};
+    for (int j = 0; j < turn; j++)
+      mesh->vertex[i] = {mesh->vertex[i].y, mesh->vertex[i].z, mesh->vertex[i].x};
   mesh->around_zero = true;
 }
 
 /* A box of twelve triangles, diagonals at will; sheared, which keeps it convex. */
 void box(Random &random, Mesh *mesh, int64_t size) {
-  static const uint8_t side[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+  static const uint8_t side[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
+                                     {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
   Vec e[3];
   do {
     for (Vec &v : e) v = {random.within(-size, size), random.within(-size, size), random.within(-size, size)};
-    if (random.flip()) e[0] = {random.within(1, size), 0, 0}, e[1] = {0, random.within(1, size), 0}, e[2] = {0, 0, random.within(1, size)};
+    if (random.flip())
+      e[0] = {random.within(1, size), 0, 0}, e[1] = {0, random.within(1, size), 0},
+      e[2] = {0, 0, random.within(1, size)};
   } while (dot(cross(e[0], e[1]), e[2]) == 0);
   mesh->vertices = 8;
   for (int i = 0; i < 8; i++)
@@ -64,10 +69,12 @@ void box(Random &random, Mesh *mesh, int64_t size) {
 void torus(Random &random, Mesh *mesh, int64_t size) {
   mesh->vertices = 12;
   for (int i = 0; i < 12; i++)
-    mesh->vertex[i] = {random.within(-8 * size, 8 * size), random.within(-8 * size, 8 * size), random.within(-8 * size, 8 * size)};
+    mesh->vertex[i] = {random.within(-8 * size, 8 * size), random.within(-8 * size, 8 * size),
+                       random.within(-8 * size, 8 * size)};
   for (int i = 0; i < 4; i++)
     for (int j = 0; j < 3; j++) {
-      int a = 3 * i + j, b = 3 * ((i + 1) % 4) + j, c = 3 * i + (j + 1) % 3, d = 3 * ((i + 1) % 4) + (j + 1) % 3;
+      int a = 3 * i + j, b = 3 * ((i + 1) % 4) + j, c = 3 * i + (j + 1) % 3,
+          d = 3 * ((i + 1) % 4) + (j + 1) % 3;
       if (random.flip()) {
         add_face(mesh, a, b, c);
         add_face(mesh, b, d, c);
@@ -92,8 +99,8 @@ int side_of(Vec a, Vec b, Vec c, Vec p) {
 std::string text(const Mesh &mesh) {
   std::string all;
   for (int i = 0; i < mesh.faces; i++)
-    all += "\n  " + oracle::text(mesh.vertex[mesh.face[i][0]]) + " " + oracle::text(mesh.vertex[mesh.face[i][1]]) + " " +
-           oracle::text(mesh.vertex[mesh.face[i][2]]);
+    all += "\n  " + oracle::text(mesh.vertex[mesh.face[i][0]]) + " " +
+           oracle::text(mesh.vertex[mesh.face[i][1]]) + " " + oracle::text(mesh.vertex[mesh.face[i][2]]);
   return all;
 }
 
@@ -106,21 +113,22 @@ uint64_t closed_mesh(Random &random) {
   switch (random.within(0, 3)) {
     case 0: bipyramid(random, &mesh, size); break;
     case 1: torus(random, &mesh, size); break;
-    default:
-      box(random, &mesh, size);
-      convex = true;
+    default: box(random, &mesh, size); convex = true;
   }
   /* coordinates with no common factor of 2, and some distance from the world's origin */
   Vec place = random.vec(28);
   for (int i = 0; i < mesh.vertices; i++) mesh.vertex[i] = mesh.vertex[i] * 2 + place;
   origin = place;
   if (!mesh.around_zero || !inside) {
-    /* anywhere, often in the plane of a face or in the line of an edge, but never in the surface: else parity is void */
-    const Vec &a = mesh.vertex[random.within(0, mesh.vertices - 1)], &b = mesh.vertex[random.within(0, mesh.vertices - 1)];
+    /* anywhere, often in the plane of a face or in the line of an edge, but never in the surface: else
+     * parity is void */
+    const Vec &a = mesh.vertex[random.within(0, mesh.vertices - 1)],
+              &b = mesh.vertex[random.within(0, mesh.vertices - 1)];
     if (random.flip())
       origin = a + (a - b) * random.within(1, 2);
     else
-      origin = place + Vec{random.within(-9 * size, 9 * size), random.within(-9 * size, 9 * size), random.within(-9 * size, 9 * size)};
+      origin = place + Vec{random.within(-9 * size, 9 * size), random.within(-9 * size, 9 * size),
+                           random.within(-9 * size, 9 * size)};
   }
 
   fc_prepared prepared[most_faces];
@@ -132,18 +140,21 @@ uint64_t closed_mesh(Random &random) {
     fc_kind_triangle.prepare(&form, from, &prepared[i]);
   }
 
-  /* what the number of crossings must be: exactly 1 from the inside of a star, 0 or 2 from outside a convex body */
+  /* what the number of crossings must be: exactly 1 from the inside of a star, 0 or 2 from outside a
+   * convex body */
   int parity = -1;
   if (mesh.around_zero && inside) parity = 1;
   for (int i = 0; i < mesh.faces && convex && parity < 0; i++) {
-    const Vec &a = mesh.vertex[mesh.face[i][0]], &b = mesh.vertex[mesh.face[i][1]], &c = mesh.vertex[mesh.face[i][2]];
+    const Vec &a = mesh.vertex[mesh.face[i][0]], &b = mesh.vertex[mesh.face[i][1]],
+              &c = mesh.vertex[mesh.face[i][2]];
     if (side_of(a, b, c, origin) * side_of(a, b, c, place) < 0) parity = 0;
   }
   convex = convex && parity == 0;
   bool star = mesh.around_zero && inside;
   /* in the surface itself there is nothing to count */
   for (int i = 0; i < mesh.faces && !star && !convex; i++) {
-    const Vec &a = mesh.vertex[mesh.face[i][0]], &b = mesh.vertex[mesh.face[i][1]], &c = mesh.vertex[mesh.face[i][2]];
+    const Vec &a = mesh.vertex[mesh.face[i][0]], &b = mesh.vertex[mesh.face[i][1]],
+              &c = mesh.vertex[mesh.face[i][2]];
     if (side_of(a, b, c, origin) != 0) continue;
     bool in_box = true;
     for (int j = 0; j < 3; j++)
@@ -157,7 +168,7 @@ uint64_t closed_mesh(Random &random) {
     uint64_t kind = random.next() % 16, corner = random.next() % 3;
     Vec a = mesh.vertex[face[corner]] - origin, b = mesh.vertex[face[(corner + 1) % 3]] - origin, d = a;
     if (kind < 9) d = a * random.within(1, 7) + b * random.within(1, 7); /* through an edge */
-    if (kind == 9) d = d + random.unit_step();                          /* a little beside it */
+    if (kind == 9) d = d + random.unit_step();                           /* a little beside it */
     if (kind == 10) d = random.vec(27);
     if (is_zero(d)) continue;
     while (largest(d) > coordinate_max) d = {d.x / 2, d.y / 2, d.z / 2};
@@ -170,13 +181,16 @@ uint64_t closed_mesh(Random &random) {
     if (parity < 0) parity = hits & 1;
     if ((hits & 1) != parity || (star && hits != 1) || (convex && hits > 2))
       fail("%d crossings from %s along %s; %s%s", hits, oracle::text(origin).c_str(), oracle::text(d).c_str(),
-           star ? "star-shaped around the origin: 1" : convex ? "outside a convex body: 0 or 2" : parity ? "odd before" : "even before",
+           star     ? "star-shaped around the origin: 1"
+           : convex ? "outside a convex body: 0 or 2"
+           : parity ? "odd before"
+                    : "even before",
            text(mesh).c_str());
   }
   return rays_a_trial;
 }
 
-}  // namespace
+} // namespace
 
 const std::vector<Family> closed_mesh_families = {
     {17, "closed meshes", 2250000, 290, closed_mesh},

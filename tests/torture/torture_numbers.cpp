@@ -1,4 +1,5 @@
-/* Values: square roots of whole numbers to the last bit, and the error in units of 2^-63 of every operation (41). */
+/* Values: square roots of whole numbers to the last bit, and the error in units of 2^-63 of every
+ * operation (41). */
 #include "trial.h"
 
 using oracle::Q;
@@ -19,13 +20,15 @@ void check_value(const char *what, fc_num reported, const Q &exact, bool root, f
   Q error = abs(Q(r / exact - 1)), bound(Z(1), Z(1) << (root ? 60 : 61)); /* a square is off twice as much */
   if (error > bound || !(reported.m >> 62 == 1))
     fail("%s: off by %.3f * 2^-63 (mantissa %#llx); a = %#llx * 2^%d, b = %#llx * 2^%d", what,
-         error.get_d() * (root ? 0.5 : 1) * 9223372036854775808.0, static_cast<unsigned long long>(reported.m),
-         static_cast<unsigned long long>(a.m), a.e, static_cast<unsigned long long>(b.m), b.e);
+         error.get_d() * (root ? 0.5 : 1) * 9223372036854775808.0,
+         static_cast<unsigned long long>(reported.m), static_cast<unsigned long long>(a.m), a.e,
+         static_cast<unsigned long long>(b.m), b.e);
 }
 
 Q exact_of(fc_num a) {
   Q r = to_z(a.m);
-  return a.e >= 0 ? Q(r * Q(Z(1) << static_cast<unsigned>(a.e))) : Q(r / Q(Z(1) << static_cast<unsigned>(-a.e)));
+  return a.e >= 0 ? Q(r * Q(Z(1) << static_cast<unsigned>(a.e)))
+                  : Q(r / Q(Z(1) << static_cast<unsigned>(-a.e)));
 }
 
 fc_num random_num(Random &random) {
@@ -37,18 +40,22 @@ fc_num random_num(Random &random) {
     case 2: v = (UINT64_C(1) << random.within(0, 63)) + static_cast<uint64_t>(random.within(-2, 2)); break;
     default: break;
   }
-  return fc_num_from_u64(v | (UINT64_C(1) << random.within(0, 63)), static_cast<int32_t>(random.within(-200, 200)));
+  return fc_num_from_u64(v | (UINT64_C(1) << random.within(0, 63)),
+                         static_cast<int32_t>(random.within(-200, 200)));
 }
 
 void check_floor_root(uint64_t v) {
   uint64_t r = fc_sqrt64(v);
   unsigned __int128 more = static_cast<unsigned __int128>(r + 1) * (r + 1);
-  if (r * r > v || more <= v) fail("fc_sqrt64(%llu) = %llu", static_cast<unsigned long long>(v), static_cast<unsigned long long>(r));
+  if (r * r > v || more <= v)
+    fail("fc_sqrt64(%llu) = %llu", static_cast<unsigned long long>(v), static_cast<unsigned long long>(r));
 }
 
-/* fc_num's own division and square root, cheaply, in __int128: a quotient's and root's defining inequalities. */
+/* fc_num's own division and square root, cheaply, in __int128: a quotient's and root's defining
+ * inequalities. */
 void check_small(uint64_t v) {
-  fc_num a = fc_num_from_u64(v, 0), one = fc_num_from_u64(1, 0), inverse = fc_num_div(one, a), root = fc_num_sqrt(a);
+  fc_num a = fc_num_from_u64(v, 0), one = fc_num_from_u64(1, 0), inverse = fc_num_div(one, a),
+         root = fc_num_sqrt(a);
   using Wide = unsigned __int128;
   /* m 2^e v = 1 within 2^-61, from below: 2^-e - m v < 2^-e-61, m v <= 2^-e, below 2^96 */
   Wide product = static_cast<Wide>(inverse.m) * v, whole = static_cast<Wide>(1) << -inverse.e;
@@ -78,8 +85,18 @@ uint64_t numbers(Random &random) {
     check_small(v);
     checked += 2;
   }
-  static const uint64_t edges[] = {0, 1, 2, 3, UINT64_MAX, UINT64_MAX - 1, UINT64_C(0xfffffffe00000001), UINT64_C(0xfffffffe00000000),
-                                   UINT64_C(1) << 62, (UINT64_C(1) << 62) - 1, UINT64_C(1) << 63, (UINT64_C(1) << 63) - 1};
+  static const uint64_t edges[] = {0,
+                                   1,
+                                   2,
+                                   3,
+                                   UINT64_MAX,
+                                   UINT64_MAX - 1,
+                                   UINT64_C(0xfffffffe00000001),
+                                   UINT64_C(0xfffffffe00000000),
+                                   UINT64_C(1) << 62,
+                                   (UINT64_C(1) << 62) - 1,
+                                   UINT64_C(1) << 63,
+                                   (UINT64_C(1) << 63) - 1};
   for (uint64_t v : edges) check_floor_root(v);
   uint64_t r = random.next() >> 32;
   check_floor_root(r * r);
@@ -112,7 +129,7 @@ uint64_t numbers(Random &random) {
   return checked;
 }
 
-}  // namespace
+} // namespace
 
 const std::vector<Family> number_families = {
     {41, "roots and quotients", 131072, 150, numbers},

@@ -1,4 +1,5 @@
-/* Secondary rays: no acne on convex bodies, occluders at the light and just over the surface, concave corners (28-32). */
+/* Secondary rays: no acne on convex bodies, occluders at the light and just over the surface, concave
+ * corners (28-32). */
 #include <algorithm>
 #include <memory>
 
@@ -26,7 +27,8 @@ Z product(Vec a, Vec b) {
   return sum;
 }
 
-/* n . p - k of a plane or a triangle's plane (edges below 2^30 here, so the normal fits), or |p - c|^2 - r^2 */
+/* n . p - k of a plane or a triangle's plane (edges below 2^30 here, so the normal fits), or |p - c|^2 -
+ * r^2 */
 Z residual(const Shape &s, Vec p, Z *normal2) {
   if (s.kind == Shape::sphere) return square_of(p - s.a) - Z(static_cast<long>(s.r)) * static_cast<long>(s.r);
   Vec n = s.kind == Shape::plane ? s.a : cross(s.b - s.a, s.c - s.a);
@@ -45,28 +47,34 @@ Vec step_off(const Scene &scene, const fc_hit &hit) {
   if (hit.inside) side = -side;
   bool close;
   if (s.kind == Shape::sphere) {
-    /* | |p - c| - r | <= sqrt 3: the excess of the square over r^2 + 3 (or of r^2 + 3 over it) at most 2 sqrt(3) r */
+    /* | |p - c| - r | <= sqrt 3: the excess of the square over r^2 + 3 (or of r^2 + 3 over it) at most 2
+     * sqrt(3) r */
     Z over = hit.inside ? Z(side + 3) : Z(side - 3);
     close = over <= 0 || over * over <= Z(12) * static_cast<long>(s.r) * static_cast<long>(s.r);
   } else {
     close = side * side <= 3 * normal2;
   }
   if (side <= 0 || !close)
-    fail("fc_offset moves %s to %s: %s%s", oracle::text(from_core(hit.position)).c_str(), oracle::text(p).c_str(),
-         side <= 0 ? "not on the ray's side" : "more than sqrt(3) above the surface", scene.text().c_str());
+    fail("fc_offset moves %s to %s: %s%s", oracle::text(from_core(hit.position)).c_str(),
+         oracle::text(p).c_str(), side <= 0 ? "not on the ray's side" : "more than sqrt(3) above the surface",
+         scene.text().c_str());
   return p;
 }
 
 /* ---- 28 ---- */
 
 std::vector<Shape> box(Random &random, Vec center, int64_t size) {
-  static const uint8_t side[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+  static const uint8_t side[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
+                                     {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
   Vec e[3], v[8];
   do {
     for (Vec &c : e) c = {random.within(-size, size), random.within(-size, size), random.within(-size, size)};
-    if (random.flip()) e[0] = {random.within(1, size), 0, 0}, e[1] = {0, random.within(1, size), 0}, e[2] = {0, 0, random.within(1, size)};
+    if (random.flip())
+      e[0] = {random.within(1, size), 0, 0}, e[1] = {0, random.within(1, size), 0},
+      e[2] = {0, 0, random.within(1, size)};
   } while (product(cross(e[0], e[1]), e[2]) == 0);
-  for (int i = 0; i < 8; i++) v[i] = center + e[0] * ((i & 1) ? 1 : -1) + e[1] * ((i & 2) ? 1 : -1) + e[2] * ((i & 4) ? 1 : -1);
+  for (int i = 0; i < 8; i++)
+    v[i] = center + e[0] * ((i & 1) ? 1 : -1) + e[1] * ((i & 2) ? 1 : -1) + e[2] * ((i & 4) ? 1 : -1);
   std::vector<Shape> shapes;
   for (const uint8_t *s : side) {
     int k = random.flip();
@@ -85,12 +93,13 @@ int64_t integer_root(int64_t v) {
 
 /* An icosahedron with whole vertices, or its faces cut in four and pushed out to the sphere. */
 std::vector<Shape> icosphere(Random &random, Vec center, int64_t size) {
-  static const uint8_t faces[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                                       {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-                                       {3, 8, 9},  {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+  static const uint8_t faces[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                       {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                       {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                       {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
   int64_t a = size, b = size * 1618 / 1000;
-  const Vec v[12] = {{-a, b, 0}, {a, b, 0}, {-a, -b, 0}, {a, -b, 0}, {0, -a, b}, {0, a, b},
-                     {0, -a, -b}, {0, a, -b}, {b, 0, -a}, {b, 0, a}, {-b, 0, -a}, {-b, 0, a}};
+  const Vec v[12] = {{-a, b, 0},  {a, b, 0},  {-a, -b, 0}, {a, -b, 0}, {0, -a, b},  {0, a, b},
+                     {0, -a, -b}, {0, a, -b}, {b, 0, -a},  {b, 0, a},  {-b, 0, -a}, {-b, 0, a}};
   int64_t radius = integer_root(a * a + b * b);
   bool fine = size > 1000 && random.within(0, 7) == 0;
   std::vector<Shape> shapes;
@@ -144,7 +153,8 @@ uint64_t convex_body(Random &random) {
 
     /* an eye that looks straight along an axis at some place of the body */
     int axis = static_cast<int>(random.within(0, 2)), sign = random.flip() ? 1 : -1;
-    Vec forward = {0, 0, 0}, eye = center + Vec{random.within(-size, size), random.within(-size, size), random.within(-size, size)};
+    Vec forward = {0, 0, 0}, eye = center + Vec{random.within(-size, size), random.within(-size, size),
+                                                random.within(-size, size)};
     forward[axis] = sign;
     eye[axis] = center[axis] - sign * (4 * size + random.within(0, INT64_C(1) << random.within(0, 26)));
     Scene scene(shapes);
@@ -154,7 +164,8 @@ uint64_t convex_body(Random &random) {
     const Shape &s = shapes[static_cast<size_t>(seen)];
     oracle::Point point = oracle::point_at(root, eye, forward);
     Vec p, normal;
-    /* A ray that only touches a ridge enters and leaves at one t; the lower number may be the face it leaves by. */
+    /* A ray that only touches a ridge enters and leaves at one t; the lower number may be the face it
+     * leaves by. */
     bool front = true;
     if (kind >= 2) {
       Z unused;
@@ -174,12 +185,14 @@ uint64_t convex_body(Random &random) {
       if (is_zero(along)) break;
       int64_t reach = std::max<int64_t>(1, (INT64_C(1) << random.within(0, 28)) / largest(along));
       int little = static_cast<int>(random.within(1, 12));
-      Vec light = p + along * reach + Vec{random.any_size(little), random.any_size(little), random.any_size(little)};
+      Vec light =
+          p + along * reach + Vec{random.any_size(little), random.any_size(little), random.any_size(little)};
       if (fits(light)) lights.push_back(light_at(light));
     }
     if (lights.empty()) continue;
 
-    ExactCamera camera = {eye, axis, sign, (axis + 1) % 3, 3, 3, static_cast<uint32_t>(random.within(1, 60000))};
+    ExactCamera camera = {
+        eye, axis, sign, (axis + 1) % 3, 3, 3, static_cast<uint32_t>(random.within(1, 60000))};
     uint32_t lit, faced;
     uint64_t checked = 0;
     {
@@ -187,7 +200,8 @@ uint64_t convex_body(Random &random) {
       bool exact_grid = frame.frame.view.shift <= 0;
       frame.render(3);
       for (int i = 0; i < 3; i++) {
-        uint16_t x = i == 0 ? 1 : static_cast<uint16_t>(random.within(0, 2)), y = i == 0 ? 1 : static_cast<uint16_t>(random.within(0, 2));
+        uint16_t x = i == 0 ? 1 : static_cast<uint16_t>(random.within(0, 2)),
+                 y = i == 0 ? 1 : static_cast<uint16_t>(random.within(0, 2));
         if (frame.check_pixel(x, y, &lit, &faced) < 0) continue;
         checked++;
         if (kind >= 2) {
@@ -196,13 +210,16 @@ uint64_t convex_body(Random &random) {
           if (sgn(residual(face, eye, &unused)) * sgn(residual(face, center, &unused)) > 0) continue;
         }
         if ((exact_grid || kind < 2) && lit != faced)
-          fail("a convex body shadows itself: pixel (%u, %u), lit %#x of the faced %#x%s", x, y, lit, faced, frame.text().c_str());
+          fail("a convex body shadows itself: pixel (%u, %u), lit %#x of the faced %#x%s", x, y, lit, faced,
+               frame.text().c_str());
       }
     }
     {
       Frame frame(scene, lights, to_core(camera), 3, 3, FC_OFFSET_RESIDUAL);
-      if (frame.check_pixel(1, 1, &lit, &faced) >= 0 && kind >= 2 && frame.frame.view.shift <= 0 && lit != faced)
-        fail("a convex body shadows itself by the residual rule: lit %#x of the faced %#x%s", lit, faced, frame.text().c_str());
+      if (frame.check_pixel(1, 1, &lit, &faced) >= 0 && kind >= 2 && frame.frame.view.shift <= 0 &&
+          lit != faced)
+        fail("a convex body shadows itself by the residual rule: lit %#x of the faced %#x%s", lit, faced,
+             frame.text().c_str());
     }
     fc_hit hit;
     if (shoot(scene, eye, forward, &hit) != 1) fail("test: lost the body");
@@ -264,7 +281,8 @@ uint64_t minimum_cosine(Random &random) {
     }
     int eye_side = dot(l.normal, eye) > k ? 1 : -1;
     Scene scene(shapes);
-    ExactCamera camera = {eye, axis, sign, (axis + 2) % 3, 3, 3, static_cast<uint32_t>(random.within(1, 1000))};
+    ExactCamera camera = {
+        eye, axis, sign, (axis + 2) % 3, 3, 3, static_cast<uint32_t>(random.within(1, 1000))};
     for (int rule : {FC_OFFSET_EXACT, FC_OFFSET_RESIDUAL}) {
       Frame frame(scene, lights, to_core(camera), 3, 3, rule);
       if (frame.frame.view.shift > 0) continue;
@@ -274,7 +292,8 @@ uint64_t minimum_cosine(Random &random) {
       for (uint16_t i = 0; i < 9; i = static_cast<uint16_t>(i + 4)) {
         if (frame.check_pixel(i % 3, i / 3, &lit) < 0) continue;
         if (lit != expected)
-          fail("offset rule %d: pixel %u: lights %#x, expected %#x%s", rule, i, lit, expected, frame.text().c_str());
+          fail("offset rule %d: pixel %u: lights %#x, expected %#x%s", rule, i, lit, expected,
+               frame.text().c_str());
       }
     }
     return 6;
@@ -343,7 +362,8 @@ uint64_t occluder_gap(Random &random) {
     if (dot(l.normal, origin) == k) continue;
     int64_t n2 = dot(l.normal, l.normal), rise = integer_root(gap * gap * n2 - 1) + 1; /* ceil(gap |n|) */
     Vec light = random.vec(26), d = p - origin + random.vec(5);
-    if (is_zero(d) || product(l.normal, light) * up <= Z(static_cast<long>(k)) * up + static_cast<long>(rise)) continue;
+    if (is_zero(d) || product(l.normal, light) * up <= Z(static_cast<long>(k)) * up + static_cast<long>(rise))
+      continue;
     Scene alone({plane(l.normal, k)}), both({plane(l.normal, k), plane(l.normal, k + up * rise)});
     fc_hit hit;
     if (check_ray(alone, origin, d) != 0 || shoot(alone, origin, d, &hit) != 1) continue;
@@ -356,8 +376,10 @@ uint64_t occluder_gap(Random &random) {
       check_segment(both, off, light);
     expect_segment(alone, off, light, false);
 
-    /* exactly, with no offset: a small triangle over a floor, in the way of a low light, beside the line of sight */
-    int axis = static_cast<int>(random.within(0, 2)), side = random.flip() ? 1 : -1, u = (axis + 1) % 3, v = (axis + 2) % 3;
+    /* exactly, with no offset: a small triangle over a floor, in the way of a low light, beside the line
+     * of sight */
+    int axis = static_cast<int>(random.within(0, 2)), side = random.flip() ? 1 : -1, u = (axis + 1) % 3,
+        v = (axis + 2) % 3;
     Vec floor = {0, 0, 0}, eye, slope = {0, 0, 0}, at, corner[3], at_light;
     floor[axis] = 1;
     slope[axis] = side;
@@ -386,9 +408,50 @@ uint64_t occluder_gap(Random &random) {
 
 /* ---- 32 ---- */
 
+/* A point of a floor with something else within a unit of it: only the exact point tells their order. */
+void touching_exactly(Random &random) {
+  for (;;) {
+    int axis = static_cast<int>(random.within(0, 2)), sign = random.flip() ? 1 : -1, across = (axis + 1) % 3;
+    Vec n1 = random.direction(7), contact = random.vec(16), forward = {0, 0, 0}, far = {0, 0, 0}, p;
+    if (n1[axis] == 0) continue;
+    forward[axis] = sign;
+    Vec eye = contact + random.vec(6) - forward * random.within(64, 1 << random.within(7, 24));
+    Shape floor = plane(n1, dot(n1, contact));
+    oracle::Root root;
+    if (oracle::nearest({floor}, eye, forward, 0, UINT64_MAX, &root) != 0) continue;
+    oracle::Point point = oracle::point_at(root, eye, forward);
+    for (int i = 0; i < 3; i++) {
+      Q exact = oracle::coordinate(point, i);
+      p[i] = static_cast<long>(Z(exact.get_num() / exact.get_den()).get_si()) + random.within(0, 1);
+    }
+    std::vector<Shape> shapes = {floor};
+    Vec v = random.direction(12), w = random.direction(12);
+    switch (random.within(0, 2)) {
+      case 0: shapes.push_back(plane(v, dot(v, p) + random.within(-1, 1))); break;
+      case 1: shapes.push_back(sphere(p + v, integer_root(dot(v, v)) + random.within(0, 1))); break;
+      default: shapes.push_back(triangle(p + v, p + w, p - v - w + random.unit_step())); break;
+    }
+    if (shapes[1].kind == Shape::sphere && shapes[1].r == 0) continue;
+    /* something far away, so that the camera's grid is the world's */
+    far[across] = INT64_C(3) << 28;
+    shapes.push_back(triangle(eye + far, eye + far + Vec{1, 0, 0}, eye + far + Vec{0, 1, 1}));
+    if (largest(p) > (1 << 27) || largest(eye) > (1 << 27)) continue;
+    Scene scene(shapes);
+    std::vector<fc_light> lights;
+    for (int i = 0; i < 3; i++)
+      lights.push_back(light_at(random.vec(static_cast<int>(random.within(4, 28)))));
+    ExactCamera camera = {eye, axis, sign, across, 1, 1, static_cast<uint32_t>(random.within(1, 1000))};
+    Frame frame(scene, lights, to_core(camera), 1, 1, FC_OFFSET_EXACT);
+    if (frame.frame.view.shift != frame.frame.view.fine) fail("test: the camera's grid is not the world's");
+    frame.check_pixel(0, 0);
+    return;
+  }
+}
+
 uint64_t concave_corner(Random &random) {
   for (;;) {
-    Vec contact = random.vec(16), n1 = random.direction(8), n2 = random.direction(8), origin = random.vec(24), light = random.vec(28);
+    Vec contact = random.vec(16), n1 = random.direction(8), n2 = random.direction(8), origin = random.vec(24),
+        light = random.vec(28);
     Vec along = some_normal(random, n1);
     /* a few units from the contact */
     Vec d = contact + along * random.within(-1, 1) + random.vec(3) - origin;
@@ -409,8 +472,11 @@ uint64_t concave_corner(Random &random) {
       for (int i = 0; i < 3; i++) side += Q(oracle::coordinate(point, i) * static_cast<long>(n2[i]));
       Q limit = Q(3 * square_of(n2));
       if (side * side > limit + limit / 1000000)
-        fail("%.3f units from the contact the moved point is %s%s", side.get_d() / Q(sqrt(mpf_class(square_of(n2)))).get_d(), moved ? "dark" : "lit", both.text().c_str());
+        fail("%.3f units from the contact the moved point is %s%s",
+             side.get_d() / Q(sqrt(mpf_class(square_of(n2)))).get_d(), moved ? "dark" : "lit",
+             both.text().c_str());
     }
+    touching_exactly(random);
     /* and exactly, over floor and wall, by pictures */
     if (random.within(0, 15) == 0) {
       Vec target = origin + d, up = random.direction(8);
@@ -424,13 +490,14 @@ uint64_t concave_corner(Random &random) {
       Frame frame(both, {light_at(light)}, camera, 5, 3, FC_OFFSET_EXACT);
       frame.render(2);
       for (int i = 0; i < 3; i++)
-        frame.check_pixel(static_cast<uint16_t>(random.within(0, 4)), static_cast<uint16_t>(random.within(0, 2)));
+        frame.check_pixel(static_cast<uint16_t>(random.within(0, 4)),
+                          static_cast<uint16_t>(random.within(0, 2)));
     }
-    return 2;
+    return 3;
   }
 }
 
-}  // namespace
+} // namespace
 
 const std::vector<Family> secondary_families = {
     {28, "acne on convex bodies", 100000, 1500, convex_body},

@@ -71,7 +71,8 @@ int64_t integer_root(int64_t v) {
 
 uint64_t horizon(Random &random) {
   for (;;) {
-    int64_t radius = random.within((1 << 19) - 1000, (1 << 19) + 1000), height = random.within(0, 1 << random.within(0, 12));
+    int64_t radius = random.within((1 << 19) - 1000, (1 << 19) + 1000),
+            height = random.within(0, 1 << random.within(0, 12));
     Vec center = random.vec(28), row[3];
     int64_t n = quaternion_frame(random, 6, row);
     /* the eye over the surface, looking at the horizon: sin = r / (r + h) */
@@ -80,7 +81,8 @@ uint64_t horizon(Random &random) {
     /* direction (-across^2, across radius) / away, in the frame */
     __int128 down = -static_cast<__int128>(across) * across, aside = static_cast<__int128>(across) * radius;
     Vec d;
-    for (int i = 0; i < 3; i++) d[i] = static_cast<int64_t>((row[0][i] * down + row[1][i] * aside) / n / away);
+    for (int i = 0; i < 3; i++)
+      d[i] = static_cast<int64_t>((row[0][i] * down + row[1][i] * aside) / n / away);
     d = d + Vec{random.within(-1, 1), random.within(-1, 1), random.within(-1, 1)};
     if (is_zero(d) || !fits(d)) continue;
     check_ray(Scene({sphere(center, radius)}), origin, d);
@@ -113,10 +115,12 @@ uint64_t inside(Random &random) {
     Vec center = random.vec(29), origin = center;
     int64_t radius = random.within(1, INT64_C(1) << random.within(1, 29));
     if (random.flip())
-      origin = center + Vec{random.within(-radius, radius), random.within(-radius, radius), random.within(-radius, radius)};
+      origin = center + Vec{random.within(-radius, radius), random.within(-radius, radius),
+                            random.within(-radius, radius)};
     Vec g = origin - center;
     if (!fits(origin)) continue;
-    if (static_cast<__int128>(g.x) * g.x + static_cast<__int128>(g.y) * g.y + static_cast<__int128>(g.z) * g.z >=
+    if (static_cast<__int128>(g.x) * g.x + static_cast<__int128>(g.y) * g.y +
+            static_cast<__int128>(g.z) * g.z >=
         static_cast<__int128>(radius) * radius)
       continue;
     expect_ray(Scene({sphere(center, radius)}), origin, random.direction(30), 0);
@@ -161,8 +165,10 @@ uint64_t refused(Random &random) {
   fc_camera core_camera = to_core(camera);
   fc_frame frame;
   int64_t memory[64];
-  int first = fc_scene_check(&scene), second = fc_frame_setup(&frame, &scene, &core_camera, nullptr, 4, 4, memory, sizeof memory);
-  if (first != FC_ERR_RADIUS || second != FC_ERR_RADIUS) fail("radius %ld: %d and %d", static_cast<long>(radius), first, second);
+  int first = fc_scene_check(&scene),
+      second = fc_frame_setup(&frame, &scene, &core_camera, nullptr, 4, 4, memory, sizeof memory);
+  if (first != FC_ERR_RADIUS || second != FC_ERR_RADIUS)
+    fail("radius %ld: %d and %d", static_cast<long>(radius), first, second);
   return 2;
 }
 
@@ -215,7 +221,7 @@ uint64_t planes(Random &random) {
   return 2;
 }
 
-}  // namespace
+} // namespace
 
 const std::vector<Family> sphere_families = {
     {19, "tangent", 300000, 100, touching},

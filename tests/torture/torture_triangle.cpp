@@ -1,4 +1,5 @@
-/* Triangles: edges and vertices hit exactly and missed by one unit, extreme shapes, origins on them (1-16, 18). */
+/* Triangles: edges and vertices hit exactly and missed by one unit, extreme shapes, origins on them (1-16,
+ * 18). */
 #include <algorithm>
 #include <memory>
 
@@ -13,7 +14,8 @@ int64_t volume_sign(Vec a, Vec b, Vec c) {
   __int128 v = 0;
   for (int i = 0; i < 3; i++) {
     int j = (i + 1) % 3, k = (i + 2) % 3;
-    v += static_cast<__int128>(a[i]) * (static_cast<__int128>(b[j]) * c[k] - static_cast<__int128>(b[k]) * c[j]);
+    v += static_cast<__int128>(a[i]) *
+         (static_cast<__int128>(b[j]) * c[k] - static_cast<__int128>(b[k]) * c[j]);
   }
   return (v > 0) - (v < 0);
 }
@@ -29,6 +31,7 @@ Shape any_order(Random &random, Vec a, Vec b, Vec c) {
 /* A point that a ray reaches in whole steps: point = origin + s direction. */
 struct Aim {
   Vec origin, direction, point;
+  int64_t steps;
 };
 
 Aim aim(Random &random) {
@@ -37,7 +40,8 @@ Aim aim(Random &random) {
     a.origin = random.vec(30);
     a.direction = random.direction(static_cast<int>(random.within(1, 30)));
     int64_t most = 2 * coordinate_max / largest(a.direction);
-    a.point = a.origin + a.direction * random.within(1, random.flip() || most < 2 ? std::min<int64_t>(most, 9) : most);
+    a.steps = random.within(1, random.flip() || most < 2 ? std::min<int64_t>(most, 9) : most);
+    a.point = a.origin + a.direction * a.steps;
     if (fits(a.origin) && fits(a.direction) && fits(a.point)) return a;
   }
 }
@@ -63,7 +67,8 @@ Pair pair(Random &random) {
     p.right = p.ray.point + random.vec(spread);
     if (!fits(p.a) || !fits(p.b) || !fits(p.left) || !fits(p.right)) continue;
     Vec a = p.a - p.ray.origin, b = p.b - p.ray.origin;
-    int64_t left = volume_sign(a, b, p.left - p.ray.origin), right = volume_sign(a, b, p.right - p.ray.origin);
+    int64_t left = volume_sign(a, b, p.left - p.ray.origin),
+            right = volume_sign(a, b, p.right - p.ray.origin);
     if (left * right < 0) return p;
   }
 }
@@ -72,10 +77,15 @@ uint64_t edge_exact(Random &random) {
   Pair p = pair(random);
   Scene scene({any_order(random, p.a, p.b, p.left), any_order(random, p.a, p.b, p.right)});
   int hits = hits_alone(scene, p.ray.origin, p.ray.direction);
-  /* a triangle whose plane holds the ray is seen edge-on along it, its neighbour then has t too, or none has */
+  /* a triangle whose plane holds the ray is seen edge-on along it, its neighbour then has t too, or none
+   * has */
   if (hits != 1) fail("%d of the two triangles are hit%s", hits, scene.text().c_str());
   check_ray(scene, p.ray.origin, p.ray.direction);
-  return 3;
+  /* the limits of t are open */
+  uint64_t t = static_cast<uint64_t>(p.ray.steps) << 32;
+  check_ray(scene, p.ray.origin, p.ray.direction, 0, t + static_cast<uint64_t>(random.within(0, 1)));
+  check_ray(scene, p.ray.origin, p.ray.direction, t - static_cast<uint64_t>(random.within(0, 1)));
+  return 5;
 }
 
 struct Fan {
@@ -84,7 +94,7 @@ struct Fan {
 };
 
 Fan fan(Random &random) {
-  static const int8_t circle[12][2] = {{10, 0}, {9, 5},   {5, 9},   {0, 10},  {-5, 9}, {-9, 5},
+  static const int8_t circle[12][2] = {{10, 0},  {9, 5},   {5, 9},   {0, 10},  {-5, 9}, {-9, 5},
                                        {-10, 0}, {-9, -5}, {-5, -9}, {0, -10}, {5, -9}, {9, -5}};
   for (;;) {
     Fan f;
@@ -150,7 +160,8 @@ uint64_t vertex_off_by_one(Random &random) {
 /* A ray from somewhere to the neighbourhood of a point; the point itself when near is 0. */
 bool ray_to(Random &random, Vec point, int64_t near, Vec *origin, Vec *direction) {
   *origin = random.vec(30);
-  Vec target = point + Vec{random.within(-near, near), random.within(-near, near), random.within(-near, near)};
+  Vec target =
+      point + Vec{random.within(-near, near), random.within(-near, near), random.within(-near, near)};
   *direction = target - *origin;
   return fits(*origin) && !is_zero(*direction) && fits(*direction);
 }
@@ -211,7 +222,8 @@ uint64_t tiny_and_far(Random &random) {
     Vec b = a + Vec{random.within(-8, 8), random.within(-8, 8), random.within(-8, 8)};
     Vec c = a + Vec{random.within(-8, 8), random.within(-8, 8), random.within(-8, 8)};
     if (!fits(a) || !fits(b) || !fits(c)) continue;
-    if (!ray_to(random, a, random.within(0, 8), &origin, &direction) || largest(direction) < (1 << 26)) continue;
+    if (!ray_to(random, a, random.within(0, 8), &origin, &direction) || largest(direction) < (1 << 26))
+      continue;
     Scene scene({triangle(a, b, c)});
     check_ray(scene, origin, direction);
     return 1;
@@ -223,7 +235,8 @@ uint64_t huge_and_near(Random &random) {
     /* opposite corners of the range, a point half-way along two edges, and then a few units off the plane */
     Vec v[3], origin;
     for (Vec &c : v)
-      for (int i = 0; i < 3; i++) c[i] = (random.flip() ? 1 : -1) * (coordinate_max - random.within(0, 1 << random.within(0, 29)));
+      for (int i = 0; i < 3; i++)
+        c[i] = (random.flip() ? 1 : -1) * (coordinate_max - random.within(0, 1 << random.within(0, 29)));
     int64_t k = random.within(0, 4);
     Vec middle = {(v[0].x + v[1].x) / 2, (v[0].y + v[1].y) / 2, (v[0].z + v[1].z) / 2};
     origin = {middle.x + (v[2].x - middle.x) / 8 * k, middle.y + (v[2].y - middle.y) / 8 * k,
@@ -240,11 +253,13 @@ uint64_t huge_and_near(Random &random) {
 
 uint64_t grazing(Random &random) {
   for (;;) {
-    /* normal . direction = +-1 for the plane's least normal; the triangle is a multiple of the lattice's cell */
+    /* normal . direction = +-1 for the plane's least normal; the triangle is a multiple of the lattice's
+     * cell */
     Vec e1, e2;
     thin_basis(random, &e1, &e2);
     int64_t s = random.within(1, 1 << 18);
-    Vec a = random.vec(28), b = a + e1 * s, c = a + e2 * random.within(1, 1 << 18), n = cross(e1, e2), across = {0, 0, 0};
+    Vec a = random.vec(28), b = a + e1 * s, c = a + e2 * random.within(1, 1 << 18), n = cross(e1, e2),
+        across = {0, 0, 0};
     for (int i = 0; i < 3; i++)
       if (std::llabs(n[i]) == 1) across[i] = random.flip() ? 1 : -1;
     if (std::llabs(dot(n, across)) != 1) continue;
@@ -326,8 +341,8 @@ uint64_t behind(Random &random) {
 uint64_t degenerate(Random &random) {
   for (;;) {
     Aim r = aim(random);
-    Vec v = random.direction(24), a = r.point + v * random.within(-8, 8), b = r.point + v * random.within(-8, 8),
-        c = r.point + v * random.within(-8, 8);
+    Vec v = random.direction(24), a = r.point + v * random.within(-8, 8),
+        b = r.point + v * random.within(-8, 8), c = r.point + v * random.within(-8, 8);
     if (random.within(0, 3) == 0) b = a;
     if (random.within(0, 3) == 0) c = b;
     if (!fits(a) || !fits(b) || !fits(c)) continue;
@@ -358,18 +373,22 @@ uint64_t vertex_order(Random &random) {
       bool same = now == result;
       if (same && now == 1) {
         same = hit.t_q32 == first.t_q32 && from_core(hit.position) == from_core(first.position) &&
-               from_core(hit.normal_q30) == from_core(first.normal_q30) && hit.inside == (first.inside != (i >= 3));
-        for (int j = 0; j < 3; j++) same = same && hit.barycentric_q30[j] == first.barycentric_q30[order[i][j]];
+               from_core(hit.normal_q30) == from_core(first.normal_q30) &&
+               hit.inside == (first.inside != (i >= 3));
+        for (int j = 0; j < 3; j++)
+          same = same && hit.barycentric_q30[j] == first.barycentric_q30[order[i][j]];
       }
       if (!same)
-        fail("vertex order %d%d%d changes the answer: ray from %s along %s%s", order[i][0], order[i][1], order[i][2],
-             oracle::text(p.ray.origin).c_str(), oracle::text(direction).c_str(), scene.text().c_str());
+        fail("vertex order %d%d%d changes the answer: ray from %s along %s%s", order[i][0], order[i][1],
+             order[i][2], oracle::text(p.ray.origin).c_str(), oracle::text(direction).c_str(),
+             scene.text().c_str());
     }
     return 6;
   }
 }
 
-/* Family 16. A net whose knots lie exactly behind pixel centres, at any depth: seen from the eye it is a plane net. */
+/* Family 16. A net whose knots lie exactly behind pixel centres, at any depth: seen from the eye it is a
+ * plane net. */
 uint64_t screen_mesh(Random &random) {
   const int width = 7, height = 5;
   ExactCamera camera = {{0, 0, 0}, 2, 1, 1, width, height, static_cast<uint32_t>(random.within(1, 200))};
@@ -398,7 +417,8 @@ uint64_t screen_mesh(Random &random) {
   Scene scene(shapes);
   Frame frame(scene, {}, to_core(camera), width, height, FC_OFFSET_EXACT);
   frame.render(static_cast<uint16_t>(random.within(1, height)));
-  if (frame.frame.view.shift > 0 || probe.frame.view.focal != focal * one) fail("test: the camera is not exact");
+  if (frame.frame.view.shift > 0 || probe.frame.view.focal != focal * one)
+    fail("test: the camera is not exact");
   for (uint16_t y = 0; y < height; y++)
     for (uint16_t x = 0; x < width; x++) {
       Vec d = frame.direction(x, y);
@@ -418,35 +438,40 @@ uint64_t screen_mesh(Random &random) {
       if (cover != 1 || seen == 0xffff)
         fail("pixel (%u, %u) is covered %d times, primitive %u%s", x, y, cover, seen, frame.text().c_str());
     }
-  frame.check_pixel(static_cast<uint16_t>(random.within(0, width - 1)), static_cast<uint16_t>(random.within(0, height - 1)));
+  frame.check_pixel(static_cast<uint16_t>(random.within(0, width - 1)),
+                    static_cast<uint16_t>(random.within(0, height - 1)));
   return width * height;
 }
 
 uint64_t across_the_eye_plane(Random &random) {
   for (;;) {
     const uint16_t width = 6, height = 4;
-    ExactCamera camera = {random.vec(20), static_cast<int>(random.within(0, 2)), random.flip() ? 1 : -1, 0, width, height,
-                          static_cast<uint32_t>(random.within(1, 20))};
+    ExactCamera camera = {
+        random.vec(20), static_cast<int>(random.within(0, 2)),      random.flip() ? 1 : -1, 0, width,
+        height,         static_cast<uint32_t>(random.within(1, 20))};
     camera.up_axis = (camera.axis + (random.flip() ? 1 : 2)) % 3;
     int bits = static_cast<int>(random.within(3, 27));
     std::vector<Shape> shapes;
     for (int i = 0; i < 3; i++) {
-      Vec v[3] = {camera.eye + random.vec(bits), camera.eye + random.vec(bits), camera.eye + random.vec(bits)};
+      Vec v[3] = {camera.eye + random.vec(bits), camera.eye + random.vec(bits),
+                  camera.eye + random.vec(bits)};
       /* one vertex before the eye's plane, one behind it or in it */
       v[0][camera.axis] = camera.eye[camera.axis] + camera.sign * random.within(1, 1 << bits);
-      v[1][camera.axis] = camera.eye[camera.axis] - camera.sign * random.within(0, random.flip() ? 1 : 1 << bits);
+      v[1][camera.axis] =
+          camera.eye[camera.axis] - camera.sign * random.within(0, random.flip() ? 1 : 1 << bits);
       shapes.push_back(any_order(random, v[0], v[1], v[2]));
     }
     Scene scene(shapes);
     Frame frame(scene, {light_at(random.vec(24))}, to_core(camera), width, height, FC_OFFSET_EXACT);
     frame.render(static_cast<uint16_t>(random.within(1, height)));
     for (int i = 0; i < 6; i++)
-      frame.check_pixel(static_cast<uint16_t>(random.within(0, width - 1)), static_cast<uint16_t>(random.within(0, height - 1)));
+      frame.check_pixel(static_cast<uint16_t>(random.within(0, width - 1)),
+                        static_cast<uint16_t>(random.within(0, height - 1)));
     return 6;
   }
 }
 
-}  // namespace
+} // namespace
 
 const std::vector<Family> triangle_families = {
     {1, "shared edge hit exactly", 500000, 200, edge_exact},

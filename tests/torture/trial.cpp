@@ -66,7 +66,8 @@ Scene::Scene(const std::vector<oracle::Shape> &list) : shapes(list) {
     } else {
       if (!same) table_start = vertices_.size();
       uint16_t first = static_cast<uint16_t>(vertices_.size() - table_start);
-      fc_triangle t = {{first, static_cast<uint16_t>(first + 1), static_cast<uint16_t>(first + 2)}, 0, object};
+      fc_triangle t = {
+          {first, static_cast<uint16_t>(first + 1), static_cast<uint16_t>(first + 2)}, 0, object};
       vertices_.push_back(to_core(s.a));
       vertices_.push_back(to_core(s.b));
       vertices_.push_back(to_core(s.c));
@@ -77,7 +78,8 @@ Scene::Scene(const std::vector<oracle::Shape> &list) : shapes(list) {
     }
     if (!same) tables_.push_back(table);
     tables_.back().count++;
-    if (s.kind == oracle::Shape::triangle) tables_.back().vertex_count = static_cast<uint16_t>(tables_.back().vertex_count + 3);
+    if (s.kind == oracle::Shape::triangle)
+      tables_.back().vertex_count = static_cast<uint16_t>(tables_.back().vertex_count + 3);
   }
   scene.shapes = tables_.data();
   scene.shape_count = static_cast<uint16_t>(tables_.size());
@@ -100,42 +102,48 @@ static std::string ray_text(Vec origin, Vec direction, uint64_t t_min_q32, uint6
                static_cast<unsigned long long>(t_max_q32));
 }
 
-int shoot(const Scene &scene, Vec origin, Vec direction, fc_hit *hit, uint64_t t_min_q32, uint64_t t_max_q32) {
+int shoot(const Scene &scene, Vec origin, Vec direction, fc_hit *hit, uint64_t t_min_q32,
+          uint64_t t_max_q32) {
   fc_ray ray = {to_core(origin), to_core(direction), t_min_q32, t_max_q32};
   int result = fc_intersect(&scene.scene, &ray, hit);
   if (result < 0)
-    fail("fc_intersect: %s\n  %s%s", fc_error_text(result), ray_text(origin, direction, t_min_q32, t_max_q32).c_str(),
-         scene.text().c_str());
+    fail("fc_intersect: %s\n  %s%s", fc_error_text(result),
+         ray_text(origin, direction, t_min_q32, t_max_q32).c_str(), scene.text().c_str());
   return result;
 }
 
 /* |value - exact| <= bound, all in the same unit */
 static bool within(const Q &value, const Q &exact, const Q &bound) { return abs(Q(value - exact)) <= bound; }
 
-static Q power_of_two(int e) { return e >= 0 ? Q(Z(1) << static_cast<unsigned>(e)) : Q(Z(1), Z(1) << static_cast<unsigned>(-e)); }
+static Q power_of_two(int e) {
+  return e >= 0 ? Q(Z(1) << static_cast<unsigned>(e)) : Q(Z(1), Z(1) << static_cast<unsigned>(-e));
+}
 
 /* What is wrong with the values of a hit, or nothing. */
-static std::string wrong_values(const fc_hit &hit, const oracle::Shape &s, const oracle::Root &root, Vec origin,
-                                Vec direction) {
+static std::string wrong_values(const fc_hit &hit, const oracle::Shape &s, const oracle::Root &root,
+                                Vec origin, Vec direction) {
   oracle::Point point = oracle::point_at(root, origin, direction);
   Q t = oracle::approximate(root) * power_of_two(32), slack = power_of_two(-60);
   /* rounded to nearest, and the value's own relative error of 2^-58 */
   if (!within(Q(Z(static_cast<unsigned long>(hit.t_q32))), t, Q(Q(1, 2) + t * power_of_two(-58) + slack)))
-    return print("t_q32 is %.3f", Q(t).get_d()) + print(" (%llu reported)", static_cast<unsigned long long>(hit.t_q32));
+    return print("t_q32 is %.3f", Q(t).get_d()) +
+           print(" (%llu reported)", static_cast<unsigned long long>(hit.t_q32));
   Vec position = from_core(hit.position), normal = from_core(hit.normal_q30);
   for (int i = 0; i < 3; i++) {
     Q exact = oracle::coordinate(point, i);
     bool clamped = std::llabs(position[i]) == coordinate_max && abs(exact) >= coordinate_max &&
                    sgn(exact) * position[i] > 0;
     if (!clamped && !within(static_cast<long>(position[i]), exact, Q(1 + slack)))
-      return print("position's axis %d is %.6f (%lld reported)", i, exact.get_d(), static_cast<long long>(position[i]));
+      return print("position's axis %d is %.6f (%lld reported)", i, exact.get_d(),
+                   static_cast<long long>(position[i]));
     Q bound = power_of_two(-28), n = oracle::normal_component(s, direction, point, i);
     if (s.kind == oracle::Shape::sphere) bound += Q(2, static_cast<unsigned long>(s.r));
     if (!within(Q(Q(static_cast<long>(normal[i])) * power_of_two(-30)), n, bound))
       return print("normal's axis %d is %.12f (%lld / 2^30 = %.12f reported)", i, n.get_d(),
                    static_cast<long long>(normal[i]), static_cast<double>(normal[i]) / 1073741824.0);
     Q part = s.kind == oracle::Shape::triangle ? oracle::weight(s, origin, direction, i) : Q(0);
-    if (!within(Q(Q(static_cast<unsigned long>(hit.barycentric_q30[i])) * power_of_two(-30)), part, power_of_two(-29)))
+    if (!within(Q(Q(static_cast<unsigned long>(hit.barycentric_q30[i])) * power_of_two(-30)), part,
+                power_of_two(-29)))
       return print("weight %d is %.12f (%lu / 2^30 reported)", i, part.get_d(),
                    static_cast<unsigned long>(hit.barycentric_q30[i]));
   }
@@ -173,8 +181,8 @@ bool check_segment(const Scene &scene, Vec from, Vec to) {
   bool expected = false;
   for (const oracle::Shape &s : scene.shapes) expected = expected || oracle::blocked(s, point, to);
   if (result != (expected ? 1 : 0))
-    fail("fc_blocked: %d is right (%d reported)\n  from %s to %s%s", expected, result, oracle::text(from).c_str(),
-         oracle::text(to).c_str(), scene.text().c_str());
+    fail("fc_blocked: %d is right (%d reported)\n  from %s to %s%s", expected, result,
+         oracle::text(from).c_str(), oracle::text(to).c_str(), scene.text().c_str());
   return expected;
 }
 
@@ -242,7 +250,9 @@ Frame::Frame(const Scene &scene, const std::vector<fc_light> &list, const fc_cam
         case oracle::Shape::sphere:
           shapes.push_back(oracle::sphere(vec(form.u.sphere.center), form.u.sphere.radius));
           break;
-        case oracle::Shape::plane: shapes.push_back(oracle::plane(vec(form.u.plane.normal), form.u.plane.k)); break;
+        case oracle::Shape::plane:
+          shapes.push_back(oracle::plane(vec(form.u.plane.normal), form.u.plane.k));
+          break;
         case oracle::Shape::triangle:
           shapes.push_back(oracle::triangle(vec(form.u.triangle.vertex[0]), vec(form.u.triangle.vertex[1]),
                                             vec(form.u.triangle.vertex[2])));
@@ -255,12 +265,13 @@ Frame::Frame(const Scene &scene, const std::vector<fc_light> &list, const fc_cam
 
 std::string Frame::text() const {
   Vec eye = from_core(camera_.eye), target = from_core(camera_.target), up = from_core(camera_.up);
-  std::string all = print("\n  %u x %u pixels, eye ", frame.width, frame.height) + oracle::text(eye) + " target " +
-                    oracle::text(target) + " up " + oracle::text(up) +
-                    print(" tan %lu / %lu, offset rule %d; world:",
-                          static_cast<unsigned long>(camera_.tan_half_fov_numerator),
-                          static_cast<unsigned long>(camera_.tan_half_fov_denominator), frame.options.offset_rule) +
-                    world.text() + "\n  camera space:";
+  std::string all =
+      print("\n  %u x %u pixels, eye ", frame.width, frame.height) + oracle::text(eye) + " target " +
+      oracle::text(target) + " up " + oracle::text(up) +
+      print(" tan %lu / %lu, offset rule %d; world:",
+            static_cast<unsigned long>(camera_.tan_half_fov_numerator),
+            static_cast<unsigned long>(camera_.tan_half_fov_denominator), frame.options.offset_rule) +
+      world.text() + "\n  camera space:";
   for (size_t i = 0; i < shapes.size() && i < 40; i++) all += print("\n  %zu: ", i) + oracle::text(shapes[i]);
   for (size_t i = 0; i < lights.size(); i++) all += print("\n  light %zu: ", i) + oracle::text(lights[i]);
   return all;
@@ -276,7 +287,8 @@ void Frame::render(uint16_t rows) {
   for (uint32_t y = 0; y < frame.height; y += rows) {
     size_t first = static_cast<size_t>(y) * frame.width;
     uint16_t count = static_cast<uint16_t>(frame.height - y < rows ? frame.height - y : rows);
-    fc_target target = {&colours[3 * first], 3u * frame.width, FC_RGB888, &depth[first], &primitive[first], &lit[first]};
+    fc_target target = {&colours[3 * first], 3u * frame.width,  FC_RGB888,
+                        &depth[first],       &primitive[first], &lit[first]};
     int status = fc_render_rows(&frame, static_cast<uint16_t>(y), count, &target);
     if (status != FC_OK) fail("fc_render_rows: %s%s", fc_error_text(status), text().c_str());
   }
@@ -284,8 +296,8 @@ void Frame::render(uint16_t rows) {
 
 Vec Frame::direction(uint16_t x, uint16_t y) const {
   int64_t one = INT64_C(1) << frame.view.pixel_shift;
-  return {(2 * static_cast<int64_t>(x) + 1 - frame.width) * one, (frame.height - 2 * static_cast<int64_t>(y) - 1) * one,
-          frame.view.focal};
+  return {(2 * static_cast<int64_t>(x) + 1 - frame.width) * one,
+          (frame.height - 2 * static_cast<int64_t>(y) - 1) * one, frame.view.focal};
 }
 
 int Frame::check_pixel(uint16_t x, uint16_t y, uint32_t *lit_out, uint32_t *faced_out) {
@@ -319,8 +331,8 @@ int Frame::check_pixel(uint16_t x, uint16_t y, uint32_t *lit_out, uint32_t *face
       wrong = print("lights %#x reach the point (%#x reported)", expected_lit, reported);
     else if (!lit.empty() && lit[at] != reported)
       wrong = print("fc_render_rows says lights %#x, fc_pick %#x", lit[at], reported);
-    else if (!depth.empty() && !oracle::depth_code_holds(depth[at], frame.depth_exponent_bits, frame.depth_near, root,
-                                                         frame.view.focal))
+    else if (!depth.empty() && !oracle::depth_code_holds(depth[at], frame.depth_exponent_bits,
+                                                         frame.depth_near, root, frame.view.focal))
       wrong = print("depth code %u does not round near / z (near %lu)", depth[at],
                     static_cast<unsigned long>(frame.depth_near));
     wrong += wrong.empty() ? "" : "; " + oracle::text(root);

@@ -36,12 +36,12 @@ struct Family {
 };
 
 extern const std::vector<Family> triangle_families, closed_mesh_families, sphere_families, secondary_families,
-    coherence_families,
-    depth_families, number_families;
+    coherence_families, depth_families, number_families;
 
-/* The core's scene of a list of shapes, in the same order; planes' k must be a whole number of coordinates. */
+/* The core's scene of a list of shapes, in the same order; planes' k must be a whole number of
+ * coordinates. */
 class Scene {
- public:
+public:
   explicit Scene(const std::vector<oracle::Shape> &shapes);
   Scene(const Scene &) = delete;
   Scene &operator=(const Scene &) = delete;
@@ -50,7 +50,7 @@ class Scene {
   fc_scene scene;
   std::string text() const;
 
- private:
+private:
   std::vector<fc_sphere> spheres_;
   std::vector<fc_plane> planes_;
   std::vector<fc_triangle> triangles_;
@@ -68,8 +68,10 @@ inline Vec from_core(fc_vec3 v) { return {v.x, v.y, v.z}; }
 int shoot(const Scene &scene, Vec origin, Vec direction, fc_hit *hit, uint64_t t_min_q32 = 0,
           uint64_t t_max_q32 = UINT64_MAX);
 
-/* fc_intersect against the oracle: which primitive, and every value of the hit. Returns the primitive or -1. */
-int check_ray(const Scene &scene, Vec origin, Vec direction, uint64_t t_min_q32 = 0, uint64_t t_max_q32 = UINT64_MAX);
+/* fc_intersect against the oracle: which primitive, and every value of the hit. Returns the primitive or
+ * -1. */
+int check_ray(const Scene &scene, Vec origin, Vec direction, uint64_t t_min_q32 = 0,
+              uint64_t t_max_q32 = UINT64_MAX);
 
 /* The same, when the answer is known beforehand: a miss (-1) or a primitive. */
 void expect_ray(const Scene &scene, Vec origin, Vec direction, int primitive);
@@ -81,21 +83,21 @@ void expect_segment(const Scene &scene, Vec from, Vec to, bool blocked);
 /* How many of the shapes, each alone, the ray hits; each answer is checked too. */
 int hits_alone(const Scene &scene, Vec origin, Vec direction);
 
-/* A camera whose axes are world axes and whose grid is at least as fine as the world's, so that camera space holds the
- * scene's own integers (times a power of two). */
+/* A camera whose axes are world axes and whose grid is at least as fine as the world's, so that camera
+ * space holds the scene's own integers (times a power of two). */
 struct ExactCamera {
   Vec eye;
-  int axis, sign;   /* forward */
-  int up_axis;      /* not axis */
+  int axis, sign; /* forward */
+  int up_axis;    /* not axis */
   uint16_t width, height;
-  uint32_t focal;   /* z of a pixel's direction in half pixels */
+  uint32_t focal; /* z of a pixel's direction in half pixels */
 };
 /* Any camera at all. */
 fc_camera to_core(const ExactCamera &camera);
 
 /* A frame of a scene, with the shapes as camera space holds them. */
 class Frame {
- public:
+public:
   Frame(const Scene &scene, const std::vector<fc_light> &lights, const fc_camera &camera, uint16_t width,
         uint16_t height, int offset_rule);
   Frame(const Frame &) = delete;
@@ -103,8 +105,8 @@ class Frame {
 
   /* Renders everything in strips of some rows. */
   void render(uint16_t rows);
-  /* The pixel against the oracle: primitive, depth code and, by FC_OFFSET_EXACT, the lights that reach it. Returns the
-   * primitive or -1; *faced are the lights that the surface faces. */
+  /* The pixel against the oracle: primitive, depth code and, by FC_OFFSET_EXACT, the lights that reach it.
+   * Returns the primitive or -1; *faced are the lights that the surface faces. */
   int check_pixel(uint16_t x, uint16_t y, uint32_t *lit = nullptr, uint32_t *faced = nullptr);
   Vec direction(uint16_t x, uint16_t y) const;
   std::string text() const;
@@ -117,7 +119,7 @@ class Frame {
   std::vector<uint32_t> lit;
   bool refused; /* a light too far away for this grid: nothing else holds then */
 
- private:
+private:
   fc_scene scene_;
   fc_camera camera_;
   std::vector<fc_light> lights_;
@@ -129,7 +131,8 @@ fc_light light_at(Vec position, int exponent = 0);
 /* A vector across `v`, not zero unless v is. */
 Vec some_normal(Random &random, Vec v);
 
-/* Three orthogonal whole vectors of one whole length (Euler and Rodrigues), quaternion entries up to `most`. */
+/* Three orthogonal whole vectors of one whole length (Euler and Rodrigues), quaternion entries up to
+ * `most`. */
 int64_t quaternion_frame(Random &random, int64_t most, Vec row[3]);
 
 #endif

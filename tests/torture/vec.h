@@ -16,7 +16,9 @@ inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec operator-(Vec a) { return {-a.x, -a.y, -a.z}; }
 inline Vec operator*(Vec a, int64_t k) { return {a.x * k, a.y * k, a.z * k}; }
 inline bool operator==(Vec a, Vec b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-inline Vec cross(Vec a, Vec b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+inline Vec cross(Vec a, Vec b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 inline int64_t dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline bool is_zero(Vec a) { return a.x == 0 && a.y == 0 && a.z == 0; }
 inline int64_t largest(Vec a) {
