@@ -8,6 +8,14 @@
 #include "space.h"
 #include "view.h"
 
+/* C99's alignof(int64_t): 8 mostly, 4 on i386, 1 on AVR. */
+struct aligned_i64 {
+  char before;
+  int64_t value;
+};
+
+static bool aligned(const void *memory) { return (uintptr_t)memory % offsetof(struct aligned_i64, value) == 0; }
+
 static size_t memory_of(const fc_scene *scene) {
   fc_space space;
   fc_cursor cursor;
@@ -120,8 +128,7 @@ int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *came
   if (error != FC_OK) return error;
   bytes = fc_frame_memory(scene, &error);
   if (error != FC_OK) return error;
-  if (bytes > 0 && (memory == NULL || memory_bytes < bytes || (uintptr_t)memory % sizeof(int64_t) != 0))
-    return FC_ERR_MEMORY;
+  if (bytes > 0 && (memory == NULL || memory_bytes < bytes || !aligned(memory))) return FC_ERR_MEMORY;
   FC_READ(&frame->scene, scene, sizeof frame->scene);
   FC_READ(&camera, camera_rom, sizeof camera);
   frame->memory = memory;

@@ -7,8 +7,10 @@
 /* Camera-space record. */
 typedef struct placed_plane {
   int64_t k; /* normal . p = k */
-  int32_t normal[3];
+  int32_t normal[3], unused; /* 24 bytes on every machine: memory is a multiple of 8 */
 } placed_plane;
+
+typedef char placed_plane_is_whole[sizeof(placed_plane) % 8 == 0 ? 1 : -1];
 
 static void read_item(const fc_shapes *shapes, uint16_t index, fc_plane *plane) {
   FC_READ(plane, (const fc_plane *)shapes->items + index, sizeof *plane);

@@ -10,6 +10,8 @@ typedef struct placed_sphere {
   int32_t center[3], radius;
 } placed_sphere;
 
+typedef char placed_sphere_is_whole[sizeof(placed_sphere) % 8 == 0 ? 1 : -1];
+
 static void read_item(const fc_shapes *shapes, uint16_t index, fc_sphere *sphere) {
   FC_READ(sphere, (const fc_sphere *)shapes->items + index, sizeof *sphere);
 }

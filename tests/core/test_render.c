@@ -234,7 +234,7 @@ static void test_g6_bad_arguments_are_refused(void) {
   TEST_ASSERT_EQUAL_INT(FC_ERR_MEMORY, fc_frame_setup(&frame, &s1, &s1_camera, NULL, 8, 8, memory, bytes - 1));
   TEST_ASSERT_EQUAL_INT(FC_ERR_MEMORY, fc_frame_setup(&frame, &s1, &s1_camera, NULL, 8, 8, NULL, bytes));
   TEST_ASSERT_EQUAL_INT(FC_ERR_MEMORY,
-                        fc_frame_setup(&frame, &s1, &s1_camera, NULL, 8, 8, (uint8_t *)memory + 4, bytes));
+                        fc_frame_setup(&frame, &s1, &s1_camera, NULL, 8, 8, (uint8_t *)memory + 1, bytes));
   TEST_ASSERT_EQUAL_INT(FC_ERR_SIZE, fc_frame_setup(&frame, &s1, &s1_camera, NULL, 0, 8, memory, bytes));
   TEST_ASSERT_EQUAL_INT(FC_ERR_SIZE, fc_frame_setup(&frame, &s1, &s1_camera, NULL, 8, 4097, memory, bytes));
   TEST_ASSERT_EQUAL_INT(FC_ERR_NULL, fc_frame_setup(&frame, NULL, &s1_camera, NULL, 8, 8, memory, bytes));
