@@ -218,7 +218,7 @@ Verdict faces(const Shape<T> &shape, Sign eye_side, Sign light_side, const Point
               const Vec<T> &to_light) {
   if (shape.kind != Kind::sphere)
     return judge<2>({eye_side, light_side}, [](const auto &s) { return s[0] * s[1] > 0; });
-  if (eye_side.value < 0)
+  if (eye_side.value <= 0) /* an eye on the sphere sees the inside of its far side */
     return judge<2>({light_side, sign_of(dot(to_light, to_light))},
                     [](const auto &s) { return s[0] <= 0 && s[1] > 0; });
   return judge<1>({sign_of(dot(p.x - shape.center * p.w, to_light))}, [](const auto &s) { return s[0] > 0; });

@@ -27,13 +27,14 @@ typedef struct fc_ray {
 } fc_ray;
 
 typedef struct fc_hit {
-  uint64_t t_q32;        /* rounded to nearest, saturated at UINT64_MAX */
+  uint64_t t_q32;        /* rounded from a value with relative error below 2^-57, saturated at UINT64_MAX */
   fc_vec3 position;      /* world coordinates; within 1 unit an axis of the exact point; clamped to +-FC_COORDINATE_MAX */
-  fc_vec3 normal_q30;    /* unit length, towards the ray's side; within 2^-28 an axis for planes and triangles */
+  fc_vec3 normal_q30;    /* unit length, towards the ray's side; within 2^-28 an axis, on a sphere of
+                          * radius r within 2^-28 + 2 / r */
   uint32_t barycentric_q30[3]; /* triangles: weights of the three vertices, within 2^-29; otherwise 0 */
   uint16_t primitive;    /* number through all tables of the scene, in order */
   uint16_t object;       /* the id its author gave it */
-  bool inside;           /* a sphere seen from inside, or the back of a plane or triangle (normal . direction > 0) */
+  bool inside;           /* the inside of a sphere, or the back of a plane or triangle (normal . direction > 0) */
 } fc_hit;
 
 /* The closest hit of the ray; the scene must have passed fc_scene_check. Equal t: the lowest primitive number. A ray through an edge that two triangles

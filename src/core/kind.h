@@ -83,7 +83,8 @@ struct fc_kind {
   bool (*blocked)(const fc_form *form, const fc_segment *segment);
   /* Whether the side of the form that the origin sees faces the light. */
   bool (*facing)(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment);
-  /* A vector along the normal at a point, and whether the origin is on its far side (`inside`). */
+  /* A vector along the normal at a point, and whether the origin is on its far side (for spheres the root says that:
+   * the far one is seen from inside). */
   bool (*normal)(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t normal[3]);
   /* Moves a rounded point to the origin's side by its exact residual. */
   void (*step_off)(const fc_form *form, bool inside, int64_t point[3]);

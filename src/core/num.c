@@ -137,7 +137,7 @@ fc_num fc_num_scale(fc_num a, int32_t exponent) {
 uint64_t fc_num_round(fc_num a, int32_t shift) {
   int32_t s = -(a.e + shift); /* bits to drop */
   if (a.m == 0 || s > 64) return 0;
-  if (s < 0) return UINT64_MAX;
+  if (s < 0) return s == -1 ? a.m << 1 : UINT64_MAX;
   if (s == 0) return a.m;
   if (s == 64) return 0; /* below 2^63/2^64 = 1/2 */
   return ((a.m >> (s - 1)) + 1) >> 1;

@@ -27,7 +27,7 @@ fc_num fc_num_sqrt(fc_num a);
 int8_t fc_num_compare(fc_num a, fc_num b);
 fc_num fc_num_scale(fc_num a, int32_t exponent); /* a * 2^exponent, exact */
 
-/* round(a * 2^shift) to nearest, halves up; UINT64_MAX when it does not fit in 63 bits. */
+/* round(a * 2^shift) to nearest, halves up; UINT64_MAX when it does not fit. */
 uint64_t fc_num_round(fc_num a, int32_t shift);
 
 /* floor(sqrt(v)). */

@@ -22,6 +22,13 @@ static int32_t clamp(int64_t v) {
   return v < -FC_COORDINATE_MAX ? -FC_COORDINATE_MAX : (int32_t)v;
 }
 
+/* origin + t direction on one axis, rounded and clamped. */
+static int32_t coordinate_at(fc_num t, int64_t origin, int64_t direction) {
+  uint64_t step = fc_num_round(fc_num_mul(t, fc_num_from_u64(fc_abs64(direction), 0)), 0);
+  int64_t reach = step >> 40 ? INT64_C(1) << 40 : (int64_t)step; /* far beyond any coordinate */
+  return clamp(direction < 0 ? origin - reach : origin + reach);
+}
+
 /* The primitive's first root within t_min < t < t_max. */
 static bool first_within(const fc_root root[2], uint8_t count, uint64_t t_min_q32, uint64_t t_max_q32, fc_root *first) {
   uint8_t i;
@@ -65,7 +72,7 @@ uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const 
 
 void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
   const int64_t *n = surface->normal;
-  fc_num length = fc_length(n);
+  fc_num length = fc_length(n), t = fc_root_value(&surface->root);
   int32_t unit[3];
   uint8_t i;
   for (i = 0; i < 3; i++) {
@@ -77,10 +84,10 @@ void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
   hit->normal_q30.x = unit[0];
   hit->normal_q30.y = unit[1];
   hit->normal_q30.z = unit[2];
-  hit->t_q32 = fc_num_round(fc_root_value(&surface->root), 32);
-  hit->position.x = clamp(surface->point[0]);
-  hit->position.y = clamp(surface->point[1]);
-  hit->position.z = clamp(surface->point[2]);
+  hit->t_q32 = fc_num_round(t, 32);
+  hit->position.x = coordinate_at(t, surface->origin[0], surface->direction[0]);
+  hit->position.y = coordinate_at(t, surface->origin[1], surface->direction[1]);
+  hit->position.z = coordinate_at(t, surface->origin[2], surface->direction[2]);
   if (surface->at.kind.weights != NULL)
     surface->at.kind.weights(&surface->prepared, surface->direction, hit->barycentric_q30);
   hit->primitive = surface->primitive;

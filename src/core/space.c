@@ -110,5 +110,5 @@ void fc_surface_complete(fc_surface *surface) {
   surface->point_valid =
       fc_point_at(fc_root_value(&surface->root), surface->origin, surface->direction, surface->point);
   surface->inside =
-      surface->at.kind.normal(&surface->form, &surface->prepared, surface->point, surface->normal);
+      surface->at.kind.normal(&surface->form, &surface->prepared, surface->point, surface->normal) || surface->root.q > 0;
 }

@@ -334,16 +334,17 @@ static int8_t outward_sign(const fc_form *form, const fc_segment *segment) {
 static bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
   int64_t c_light[3];
   uint8_t i;
-  if (fc_i128_sign(prepared->u.sphere.c) >= 0) return outward_sign(form, segment) > 0;
-  /* from inside, the light must be inside too, or the sphere itself is in the way */
+  if (fc_i128_sign(prepared->u.sphere.c) > 0) return outward_sign(form, segment) > 0;
+  /* from inside (or on it, looking in), the light must be inside too, or the sphere itself is in the way */
   for (i = 0; i < 3; i++) c_light[i] = form->u.sphere.center[i] - segment->light[i];
   return fc_i128_sign(power(c_light, form->u.sphere.radius)) <= 0 && outward_sign(form, segment) < 0;
 }
 
 static bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
   uint8_t i;
+  (void)prepared;
   for (i = 0; i < 3; i++) n[i] = point[i] - form->u.sphere.center[i];
-  return fc_i128_sign(prepared->u.sphere.c) < 0;
+  return false; /* which side is seen, the root knows */
 }
 
 static void step_off(const fc_form *form, bool inside, int64_t point[3]) {

@@ -56,7 +56,8 @@ static void test_exact_cases_are_exact(void) {
 static void test_rounding_at_the_ends(void) {
   fc_num zero = {0, 0};
   TEST_ASSERT_EQUAL_UINT64(0, fc_num_round(zero, 10));
-  TEST_ASSERT_EQUAL_UINT64(UINT64_MAX, fc_num_round(fc_num_from_u64(1, 0), 63));
+  TEST_ASSERT_EQUAL_UINT64(UINT64_MAX, fc_num_round(fc_num_from_u64(1, 0), 64));
+  TEST_ASSERT_EQUAL_UINT64(UINT64_C(1) << 63, fc_num_round(fc_num_from_u64(1, 0), 63));
   TEST_ASSERT_EQUAL_UINT64(UINT64_C(1) << 62, fc_num_round(fc_num_from_u64(1, 0), 62));
   TEST_ASSERT_EQUAL_UINT64(1, fc_num_round(fc_num_from_u64(1, 0), -1));
   TEST_ASSERT_EQUAL_UINT64(0, fc_num_round(fc_num_from_u64(1, 0), -2));

@@ -73,6 +73,15 @@ static void test_planes(void) {
   TEST_ASSERT_EQUAL_INT32(1 << 30, hit.normal_q30.y);
   TEST_ASSERT_EQUAL_INT(0, shoot(vec(0, 0, 0), vec(1, 0, 1), &hit));    /* parallel */
   TEST_ASSERT_EQUAL_INT(0, shoot(vec(0, 1002, 0), vec(1, 0, 1), &hit));
+  planes[0].d = -FC_COORDINATE_MAX;
+  planes[0].d_exponent = 2;
+  TEST_ASSERT_EQUAL_INT(1, shoot(vec(0, 2000, 0), vec(-7, 1, 0), &hit)); /* t just below 2^32, beyond all coordinates */
+  TEST_ASSERT_EQUAL_UINT64((((uint64_t)FC_COORDINATE_MAX << 2) - 2000) << 32, hit.t_q32);
+  TEST_ASSERT_EQUAL_INT32(-FC_COORDINATE_MAX, hit.position.x);
+  TEST_ASSERT_EQUAL_INT32(FC_COORDINATE_MAX, hit.position.y);
+  TEST_ASSERT_EQUAL_INT32(0, hit.position.z);
+  planes[0].d = -1000;
+  planes[0].d_exponent = 0;
   TEST_ASSERT_EQUAL_INT(1, shoot(vec(0, 1000, 0), vec(0, 1, 0), &hit)); /* starts in the first */
   TEST_ASSERT_EQUAL_UINT16(1, hit.primitive);
 }
