@@ -47,7 +47,8 @@ fuzz: ## search for inputs that break the core or the scene reader, FUZZ_SECONDS
 torture: ## a thousand million seeded hard cases against exact oracles, resumable (about 20 minutes)
 	@.ci/install test
 	@$(CONFIGURE) >/dev/null
-	@cmake --build $(BUILD) --parallel $(JOBS) --target torture
+	@cmake --build $(BUILD) --parallel $(JOBS) --target torture acne
+	@$(BUILD)/tests/acne 10000000
 	@$(BUILD)/tests/torture --full --jobs 2 --state $(BUILD)/torture.state
 
 golden-update: ## rewrite tests/golden/crc.txt from what the simulator renders now

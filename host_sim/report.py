@@ -33,7 +33,8 @@ Leaks: dark in truth, lit in the picture (light seeping under contacts). Both pe
 {shadows}
 
 The exact rule has neither, with nothing to tune. The residual rule moves a rounded point by at most sqrt(3) grid
-units and is as good on these scenes; an occluder closer than that may be missed. A fixed epsilon trades one fault for
+units and is as good on these scenes; an occluder closer than that may be missed, which is the proved bound of its leaks
+(a unit is 2^-29 to 2^-30 of the distance to the farthest geometry). A fixed epsilon trades one fault for
 the other: small ones fall below the rounding of far points in other arithmetic, large ones leak at every contact and
 edge. (Points are rounded here on a grid of about 2^-29 of the scene, so small epsilons look better than they do in float.)
 
