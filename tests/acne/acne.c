@@ -3,6 +3,10 @@
  *
  * A point of a convex body that faces a light is lit, whatever the rest of the body does. Spheres, boxes and icospheres
  * are drawn as frames, most lights lying a few units off the plane of some face or tangent to some point.
+ *
+ * A box's flat faces are two triangles each. Seen straight along an axis every vertex is exact on the camera's grid, and
+ * the box stays convex. Seen askew each vertex is rounded on its own, faces fold by up to a unit, and a light within a
+ * unit or so of a face's plane may see the fold: that is counted too, and is no failure (docs/SPEC.md, section 5).
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -176,7 +180,7 @@ static int look(uint8_t rule, unsigned long *facing, unsigned long *dark) {
   return FC_OK;
 }
 
-static void set_body(int kind) {
+static void set_body(int kind, int askew) {
   int32_t radius = random_within(1 << 12, 1 << 24);
   memset(&shapes, 0, sizeof shapes);
   memset(&scene, 0, sizeof scene);
@@ -207,33 +211,38 @@ static void set_body(int kind) {
   scene.material_count = 1;
   scene.lights = lights;
   scene.light_count = LIGHTS;
-  camera.eye.x = random_within(-3 * radius, 3 * radius);
-  camera.eye.y = random_within(-3 * radius, 3 * radius);
+  camera.eye.x = random_within(-radius, radius) * (askew ? 3 : 1);
+  camera.eye.y = random_within(-radius, radius) * (askew ? 3 : 1);
   camera.eye.z = 4 * radius;
-  camera.up.x = random_within(-9, 9);
+  if (askew) {
+    camera.up.x = random_within(-9, 9);
+  } else {
+    camera.target = camera.eye;
+    camera.target.z = 0;
+  }
   camera.up.y = 10;
   camera.tan_half_fov_numerator = 1;
   camera.tan_half_fov_denominator = 4;
 }
 
 int main(int argc, char **argv) {
-  static const char *const bodies[] = {"sphere", "box", "icosphere, 80 faces", "icosphere, 320 faces"};
+  static const char *const bodies[] = {"sphere", "box, straight", "icosphere, 80 faces", "icosphere, 320 faces", "box, askew"};
   unsigned long points = argc > 1 ? strtoul(argv[1], NULL, 10) : 100000, acne = 0;
   int kind;
-  for (kind = 0; kind < 4; kind++) {
+  for (kind = 0; kind < 5; kind++) {
     unsigned long facing = 0, dark = 0, residual_facing = 0, residual_dark = 0;
     while (facing < points / 4) {
       uint64_t seed = random_state;
-      set_body(kind);
+      set_body(kind == 4 ? 1 : kind, kind != 1);
       if (look(FC_OFFSET_EXACT, &facing, &dark) != FC_OK) {
         printf("%s: frame refused, state 0x%016llx\n", bodies[kind], (unsigned long long)seed);
         return 1;
       }
       if (residual_facing < points / 40) (void)look(FC_OFFSET_RESIDUAL, &residual_facing, &residual_dark);
     }
-    printf("%-20s exact: %lu lit points, %lu self-shadowed; residual: %lu, %lu\n", bodies[kind], facing, dark,
+    printf("%-21s exact: %lu lit points, %lu self-shadowed; residual: %lu, %lu\n", bodies[kind], facing, dark,
            residual_facing, residual_dark);
-    acne += dark;
+    if (kind < 4) acne += dark;
   }
   return acne == 0 ? 0 : 1;
 }
