@@ -1,6 +1,6 @@
 """The simulator compiles without a warning on another compiler than the one that built it.
 
-warnings.py COMPILER compile_commands.json      (the core's warnings are errors in every sub-build already)
+clang_warnings.py COMPILER compile_commands.json      (the core's warnings are errors in every sub-build already)
 """
 import concurrent.futures
 import json
