@@ -74,11 +74,6 @@ static int place_lights(const fc_frame *frame, int64_t *to) {
   return FC_OK;
 }
 
-/* far * 2^exponent world coordinates in grid units, as an exponent */
-static int16_t far_exponent(const fc_frame *frame) {
-  return (int16_t)(frame->scene.far_exponent + frame->view.fine - frame->view.shift);
-}
-
 static void measure_depth(fc_frame *frame) {
   uint64_t near = UINT64_MAX, far = 0;
   fc_space space;
@@ -99,7 +94,7 @@ static void measure_depth(fc_frame *frame) {
   }
   if (far == 0) near = far = 1; /* nothing to see */
   if (frame->scene.far_limit > 0) {
-    uint64_t limit = fc_num_round(fc_num_from_u64((uint64_t)frame->scene.far_limit, far_exponent(frame)), 0);
+    uint64_t limit = fc_num_round(fc_num_from_u64((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame)), 0);
     if (limit < far) far = limit > near ? limit : near;
   }
   fc_depth_choose(frame, near, far);

@@ -22,10 +22,10 @@ static fc_space space_of(const fc_frame *frame) {
 
 /* Whether a hit is beyond the scene's far limit. */
 static bool too_far(const fc_frame *frame, const fc_root *root, const int64_t d[3]) {
-  int16_t exponent = (int16_t)(frame->scene.far_exponent + frame->view.fine - frame->view.shift);
   if (frame->scene.far_limit == 0) return false;
   /* 30-bit components: below 3 * 2^60 */
-  return fc_root_compare_distance(root, d[0] * d[0] + d[1] * d[1] + d[2] * d[2], frame->scene.far_limit, exponent) > 0;
+  return fc_root_compare_distance(root, d[0] * d[0] + d[1] * d[1] + d[2] * d[2], frame->scene.far_limit,
+                                  fc_view_far_exponent(frame)) > 0;
 }
 
 /* Whether a hit is nearer than the primitive kept in a pixel with the same depth code. */

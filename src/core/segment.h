@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bits.h"
 #include "root.h"
 #include "wide.h"
 
@@ -58,6 +59,15 @@ void fc_step_off_plane(const int64_t n[3], fc_i128 k, bool behind, int64_t point
 
 /* |a.x| + |a.y| + |a.z| */
 fc_i128 fc_norm1(const int64_t a[3]);
+
+/* The same, and the dot product, for components up to 2^31 and 2^30: below 2^63. */
+static inline int64_t fc_small_norm1(const int64_t a[3]) {
+  return (int64_t)(fc_abs64(a[0]) + fc_abs64(a[1]) + fc_abs64(a[2]));
+}
+
+static inline int64_t fc_small_dot(const int64_t a[3], const int64_t b[3]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 void fc_cross(const int64_t a[3], const int64_t b[3], int64_t r[3]);
 

@@ -3,6 +3,7 @@
 
 #include "bits.h"
 #include "pixel.h"
+#include "view.h"
 
 void fc_surface_offset(const fc_surface *surface, int rule, int64_t epsilon, int64_t point[3]) {
   uint8_t i;
@@ -11,12 +12,7 @@ void fc_surface_offset(const fc_surface *surface, int rule, int64_t epsilon, int
     surface->at.kind.step_off(&surface->form, surface->inside, point);
   } else if (rule == FC_OFFSET_EPSILON) {
     const int64_t *n = surface->normal;
-    fc_num length = fc_num_from_u64(0, 0);
-    for (i = 0; i < 3; i++) {
-      fc_num c = fc_num_from_u64(fc_abs64(n[i]), 0);
-      length = fc_num_add(length, fc_num_mul(c, c));
-    }
-    length = fc_num_sqrt(length);
+    fc_num length = fc_length(n);
     if (length.m == 0) return;
     for (i = 0; i < 3; i++) {
       fc_num c = fc_num_mul(fc_num_from_u64(fc_abs64(n[i]), 0), fc_num_from_u64((uint64_t)epsilon, 0));
@@ -33,9 +29,6 @@ static uint8_t shrink(const int64_t v[3], int64_t r[3]) {
   return shift;
 }
 
-/* 30-bit components: below 2^62. */
-static int64_t dot(const int64_t a[3], const int64_t b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /* cos (n, L - P), divided by the squared distance in world units when the light falls off, times 2^24. */
 static uint32_t irradiance_q24(const fc_frame *frame, const fc_surface *surface, const fc_light *light,
                                const int64_t position[3]) {
@@ -46,11 +39,11 @@ static uint32_t irradiance_q24(const fc_frame *frame, const fc_surface *surface,
   for (i = 0; i < 3; i++) v[i] = position[i] - surface->point[i];
   v_shift = shrink(v, v);
   (void)shrink(surface->normal, n);
-  along = dot(n, v);
+  along = fc_small_dot(n, v);
   if (surface->inside) along = -along;
   if (along <= 0) return 0; /* grazing, and the rounded vectors say so */
-  square = fc_num_from_u64((uint64_t)dot(v, v), 0);
-  value = fc_num_mul(fc_num_from_u64((uint64_t)dot(n, n), 0), square);
+  square = fc_num_from_u64((uint64_t)fc_small_dot(v, v), 0);
+  value = fc_num_mul(fc_num_from_u64((uint64_t)fc_small_dot(n, n), 0), square);
   value = fc_num_div(fc_num_from_u64((uint64_t)along, 0), fc_num_sqrt(value));
   if (light->inverse_square) {
     int32_t unit = (int32_t)frame->view.shift - frame->view.fine + frame->scene.exponent - 16 + v_shift;

@@ -204,12 +204,6 @@ static bool exact_blocked(const fc_form *form, const fc_segment *segment, fc_i12
   return exact_passes(form, segment, &p, q_light);
 }
 
-static int64_t norm1(const int64_t v[3]) {
-  return (int64_t)(fc_abs64(v[0]) + fc_abs64(v[1]) + fc_abs64(v[2]));
-}
-
-static int64_t dot(const int64_t a[3], const int64_t b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /* +1 or -1 when |value| exceeds its error, 0 when not. */
 static int8_t certain_sign(fc_i128 value, fc_i128 error) {
   return fc_i128_compare(fc_i128_abs(value), error) > 0 ? fc_i128_sign(value) : 0;
@@ -261,12 +255,12 @@ static int8_t quick_blocked(const fc_form *form, const fc_segment *segment, fc_i
   {
     int64_t e_c = shift > 0, e_w = e_c + segment->point_error;
     /* components up to 2^30: sums of three products below 2^62 */
-    along = dot(w, c_light);
-    square = dot(w, w);
-    q = dot(c_light, c_light) - r * r;
-    e_along = norm1(w) * e_c + norm1(c_light) * e_w + 3 * e_c * e_w;
-    e_square = 2 * norm1(w) * e_w + 3 * e_w * e_w;
-    e_q = 2 * norm1(c_light) * e_c + 3 * e_c + 2 * r * e_c + e_c;
+    along = fc_small_dot(w, c_light);
+    square = fc_small_dot(w, w);
+    q = fc_small_dot(c_light, c_light) - r * r;
+    e_along = fc_small_norm1(w) * e_c + fc_small_norm1(c_light) * e_w + 3 * e_c * e_w;
+    e_square = 2 * fc_small_norm1(w) * e_w + 3 * e_w * e_w;
+    e_q = 2 * fc_small_norm1(c_light) * e_c + 3 * e_c + 2 * r * e_c + e_c;
   }
   if (along < -e_along || square - along < -(e_square + e_along)) return 0;
   /* along^2 - square q: 124 bits; off by 2 |along| e_along + e_along^2 + square e_q + |q| e_square + e_q e_square */

@@ -1,7 +1,7 @@
 /*
  * Counts decisions and how many of them needed their exact form, for reports and tests.
  *
- * Nothing is counted unless FC_TALLY names a macro or function taking (fc_decision, bool exact); the tally test
+ * Nothing is counted unless FC_TALLY names a function taking (fc_decision, bool exact); the tally test
  * builds the core that way.
  */
 #ifndef FC_TALLY_H

@@ -117,8 +117,6 @@ static void shrink(const int64_t n[3], int64_t r[3], uint8_t *shift) {
   for (i = 0; i < 3; i++) r[i] = fc_floor_shift64(n[i], *shift);
 }
 
-static int64_t norm1(const int64_t v[3]) { return (int64_t)(fc_abs64(v[0]) + fc_abs64(v[1]) + fc_abs64(v[2])); }
-
 static void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
   int64_t v[3][3];
   uint8_t i, j;
@@ -154,7 +152,7 @@ static int8_t edge_sign(const fc_prepared *prepared, uint8_t i, const int64_t d[
 }
 
 static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
-  int64_t reach = norm1(direction);
+  int64_t reach = fc_small_norm1(direction);
   int8_t side = fc_i128_sign(prepared->u.triangle.side);
   fc_i128 along;
   if (side == 0 || edge_sign(prepared, 0, direction, reach) != side || edge_sign(prepared, 1, direction, reach) != side ||
@@ -221,11 +219,11 @@ static int8_t quick_pierces(const fc_form *form, const fc_segment *segment) {
     fc_cross(a, e, n); /* 31 + 31 bits, two products: below 2^63 */
     shrink(n, small, &shift);
     /* n is off by less than e_a |e|_1; then the cut */
-    e_n = (shift > 0) + (e_a != 0 ? (norm1(e) >> shift) + 1 : 0);
+    e_n = (shift > 0) + (e_a != 0 ? (fc_small_norm1(e) >> shift) + 1 : 0);
     if (e_n >= (INT64_C(1) << 24)) return -1;
     /* 30 + 31 bits, three terms: below 2^63; the error's terms below 2^58 */
     value = small[0] * w[0] + small[1] * w[1] + small[2] * w[2];
-    error = e_n * segment->length + (norm1(small) + 3 * e_n) * e_w;
+    error = e_n * segment->length + (fc_small_norm1(small) + 3 * e_n) * e_w;
     if ((int64_t)fc_abs64(value) <= error && error != 0) return -1;
     sign = fc_sign64(value);
     if (sign * seen < 0) return 0;

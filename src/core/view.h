@@ -21,6 +21,11 @@ void fc_view_to_world(const fc_view *view, fc_num t, const int64_t direction[3],
 /* The eye's offset to a world point in units of 2^-fine world coordinates, exact. */
 void fc_view_offset(const fc_view *view, const fc_vec3 *v, int64_t offset[3]);
 
+/* The far limit is scene.far_limit * 2^this in camera grid units. */
+static inline int16_t fc_view_far_exponent(const fc_frame *frame) {
+  return (int16_t)(frame->scene.far_exponent + frame->view.fine - frame->view.shift);
+}
+
 /* |v| as a value. */
 fc_num fc_length(const int64_t v[3]);
 

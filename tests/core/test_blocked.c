@@ -5,6 +5,7 @@
 #include "kind.h"
 #include "random.h"
 #include "unity.h"
+#include "vectors.h"
 
 void setUp(void) {}
 void tearDown(void) {}
@@ -28,14 +29,6 @@ static void use(const fc_kind *kind, const void *items) {
   scene.shape_count = 1;
   scene.materials = materials;
   scene.material_count = 1;
-}
-
-static fc_vec3 vec(int32_t x, int32_t y, int32_t z) {
-  fc_vec3 v;
-  v.x = x;
-  v.y = y;
-  v.z = z;
-  return v;
 }
 
 static int between(fc_vec3 a, fc_vec3 b) {

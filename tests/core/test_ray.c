@@ -7,6 +7,7 @@
 #include "random.h"
 #include "root.h"
 #include "unity.h"
+#include "vectors.h"
 
 void setUp(void) {}
 void tearDown(void) {}
@@ -35,14 +36,6 @@ static void clear(void) {
   scene.shapes = shapes;
   scene.materials = materials;
   scene.material_count = 1;
-}
-
-static fc_vec3 vec(int32_t x, int32_t y, int32_t z) {
-  fc_vec3 v;
-  v.x = x;
-  v.y = y;
-  v.z = z;
-  return v;
 }
 
 static int shoot(fc_vec3 o, fc_vec3 d, fc_hit *hit) {

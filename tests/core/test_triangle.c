@@ -5,6 +5,7 @@
 #include "kind.h"
 #include "random.h"
 #include "unity.h"
+#include "vectors.h"
 
 void setUp(void) {}
 void tearDown(void) {}
@@ -39,14 +40,6 @@ static void set_triangle(uint16_t i, uint16_t a, uint16_t b, uint16_t c) {
   triangles[i].vertex[0] = a;
   triangles[i].vertex[1] = b;
   triangles[i].vertex[2] = c;
-}
-
-static fc_vec3 vec(int32_t x, int32_t y, int32_t z) {
-  fc_vec3 v;
-  v.x = x;
-  v.y = y;
-  v.z = z;
-  return v;
 }
 
 static fc_vec3 random_vec(uint8_t bits) {
