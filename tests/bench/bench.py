@@ -1,0 +1,146 @@
+"""Counts what a frame costs on a chip: instructions a pixel, and which functions they go to.
+
+bench.py --scene s1 --target m0plus --renderer fixcast --profile-functions
+
+builds that one image, runs it in an emulator, checks its picture against the host's and prints the counts, which are the
+same on every run. More than one --scene, --size, --target, --opt or --renderer may be given, separated by commas.
+"""
+import argparse
+import collections
+import json
+import pathlib
+import re
+import sys
+
+import counting
+import images
+from images import Failure, Image, ROOT, RENDERERS, TARGETS
+
+OPTS = ("-O2", "-Os", "-O3")
+
+
+class Scenes:
+    """Scenes as C files."""
+
+    def __init__(self, work, simulator):
+        self.work, self.simulator = pathlib.Path(work), pathlib.Path(simulator)
+
+    def source(self, scene):
+        path = ROOT / "host_sim/scenes" / f"{scene}.nff"
+        if not path.exists():
+            raise Failure(f"there is no scene {scene}")
+        return path
+
+    def baked(self, scene, renderer):
+        source, made = self.source(scene), self.work / "scenes" / f"{scene}.c"
+        if not self.simulator.exists():
+            raise Failure(f"there is no {self.simulator}: run `make build`")
+        if not made.exists() or made.stat().st_mtime < max(path.stat().st_mtime for path in (source, self.simulator)):
+            made.parent.mkdir(parents=True, exist_ok=True)
+            images.execute([self.simulator, "bake", source, "-o", made])
+        return made
+
+
+def list_of(names):
+    """A type for argparse: a comma-separated list of these names."""
+    def read(text):
+        words = text.split(",")
+        for word in words:
+            if word not in names:
+                raise argparse.ArgumentTypeError(f"'{word}' is none of {', '.join(names)}")
+        return words
+    return read
+
+
+def size_of(text):
+    match = re.fullmatch(r"(\d+)x(\d+)", text)
+    if not match or not all(1 <= int(number) <= 4096 for number in match.groups()):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a size such as 128x128")
+    return int(match.group(1)), int(match.group(2))
+
+
+def opt_of(text):
+    if "-" + text.lstrip("-") not in OPTS:
+        raise argparse.ArgumentTypeError(f"'{text}' is none of O2, Os, O3")
+    return "-" + text.lstrip("-")
+
+
+def function_table(counts, pixels, rows):
+    """The functions that most instructions go to, with their share of the frame."""
+    sums = collections.Counter()
+    for functions in counts.functions.values():
+        sums.update(functions)
+    whole = sum(sums.values())
+    lines = [f"  {'a pixel':>10} {'share':>6}  function (set-up included)"]
+    for name, instructions in sums.most_common(rows):
+        lines.append(f"  {instructions / pixels:10.2f} {100 * instructions / whole:5.1f}%  {name}")
+    return lines
+
+
+def quick(options):
+    """Counts a few images one after the other and prints them."""
+    work = pathlib.Path(options.work)
+    scenes = Scenes(work, options.simulator)
+    workshop = images.Workshop(work, scenes.baked)
+    seen = work / "last.json"
+    last = json.loads(seen.read_text()) if seen.exists() else {}
+    wrong = 0
+    for scene in options.scene:
+        for size in options.size:
+            for target in options.target:
+                for opt in options.opt:
+                    for renderer in options.renderer:
+                        image = Image(target, renderer, scene, *size, opt, options.profile)
+                        elf, _, _ = workshop.build(image)
+                        reference, _, _ = workshop.build(image._replace(target="host", opt="-O2"))
+                        counts = counting.count(target, elf, work, options.limit, options.profile_functions)
+                        if counts.instructions is None:
+                            print(f"{image.name()}: gave up after {options.limit} instructions")
+                            continue
+                        host = counting.run_on_host(reference)
+                        pixels = size[0] * size[1]
+                        total = sum(counts.instructions.values())
+                        before = last.get(image.name())
+                        change = f" ({100 * (total / before - 1):+.2f} % since the last run)" if before else ""
+                        print(f"{image.name()}: {total / pixels:.2f} instructions a pixel{change}: set-up "
+                              f"{counts.instructions['setup']}, strips {counts.instructions['strips']}; "
+                              f"stack {counts.printed.get('stack_bytes')}, ram {counts.printed.get('ram_bytes')} bytes; "
+                              f"crc {counts.printed.get('crc')}")
+                        last[image.name()] = total
+                        if options.profile_functions:
+                            print("\n".join(function_table(counts, pixels, options.rows)))
+                        if counts.printed.get("crc") != host.get("crc"):
+                            print(f"{image.name()}: the picture is wrong: crc {counts.printed.get('crc')}, on the host "
+                                  f"{host.get('crc')}")
+                            wrong += 1
+    seen.write_text(json.dumps(last))
+    return 1 if wrong else 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    chips = [name for name in TARGETS if name != "host"]
+    parser.add_argument("--scene", type=lambda text: text.split(","), default=["s1"], metavar="NAME")
+    parser.add_argument("--size", type=lambda text: [size_of(word) for word in text.split(",")], default=[(128, 128)],
+                        metavar="WxH")
+    parser.add_argument("--target", type=list_of(chips), default=["m0plus"], metavar="NAME", help=", ".join(chips))
+    parser.add_argument("--opt", type=lambda text: [opt_of(word) for word in text.split(",")], default=["-O2"],
+                        metavar="LEVEL", help="O2, Os, O3")
+    parser.add_argument("--renderer", type=list_of(RENDERERS), default=["fixcast"], metavar="NAME",
+                        help=", ".join(RENDERERS))
+    parser.add_argument("--profile", type=int, default=0, metavar="N", help="fc_options.profile")
+    parser.add_argument("--profile-functions", action="store_true", help="also print where the instructions go")
+    parser.add_argument("--rows", type=int, default=25, metavar="N", help="of that table")
+    parser.add_argument("--limit", type=int, default=5_000_000_000, metavar="N", help="give up after N instructions")
+    parser.add_argument("--work", default=ROOT / "build/bench", metavar="DIR")
+    parser.add_argument("--simulator", default=ROOT / "build/fixcast", metavar="FILE")
+    options = parser.parse_args()
+    try:
+        return quick(options)
+    except Failure as failure:
+        print(f"bench: {failure}", file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())
