@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Writes the scenes of this directory: python3 generate.py [DIRECTORY], the same bytes on every run.
 
+python3 generate.py --bench DIRECTORY writes those that only tests/bench draws, up to half a megabyte each.
+
 Coordinates and colours come from + - * / and square roots only, which IEEE 754 rounds the same everywhere,
 and no number has more than 12 decimals.
 """
@@ -74,9 +76,12 @@ def bench_spheres():
     return lines + [matte(rgb(*GROUND)), "#fc: plane 0 1 0 0"]
 
 
+def bench_light():
+    return [SKY, "#fc: ambient 0.125", "#fc: falloff none", "#fc: far 100", f"l {join(LIGHT)} 0.875 0.875 0.875"]
+
+
 def bench_rest():
-    return [SKY, "#fc: ambient 0.125", "#fc: falloff none", "#fc: far 100",
-            f"l {join(LIGHT)} 0.875 0.875 0.875"] + bench_spheres()
+    return bench_light() + bench_spheres()
 
 
 def s1():
@@ -115,6 +120,26 @@ def icosphere():
     return faces
 
 
+def ground_grid():
+    """The ground of S2 and S4: 56 triangles in cells that grow with the distance."""
+    rows = [[((depth + 1) * 0.75 * x, 0.0, -float(depth)) for x in (-1, -0.5, 0, 0.5, 1)]
+            for depth in (1, 2, 4, 8, 16, 32, 64, 99)]
+    return grid_faces(rows)
+
+
+def grid_faces(rows):
+    """Two triangles a cell of a net of points, anticlockwise seen from above; row by row into the picture."""
+    faces = []
+    for near, far in zip(rows, rows[1:]):
+        for i in range(len(near) - 1):
+            faces += [(near[i], near[i + 1], far[i + 1]), (near[i], far[i + 1], far[i])]
+    return faces
+
+
+def placed_icosphere(center, radius):
+    return [tuple(tuple(m + radius * x for m, x in zip(center, p)) for p in face) for face in icosphere()]
+
+
 def lit_face(face, colour):
     """A triangle in the colour that S1's light gives its centroid."""
     a, b, c = face
@@ -130,17 +155,72 @@ def s2():
                    "is 1 and there is no lamp.") + LEVEL_CAMERA + [SKY, "#fc: ambient 1"]
     for index, (center, radius, colour) in enumerate(SPHERES):
         lines.append(f"#fc: object {index + 1}")
-        for face in icosphere():
-            placed = tuple(tuple(m + radius * x for m, x in zip(center, p)) for p in face)
-            lines += lit_face(placed, colour)
+        for face in placed_icosphere(center, radius):
+            lines += lit_face(face, colour)
     lines.append("#fc: object 4")
-    rows = [[((depth + 1) * 0.75 * x, 0.0, -float(depth)) for x in (-1, -0.5, 0, 0.5, 1)]
-            for depth in (1, 2, 4, 8, 16, 32, 64, 99)]
-    for near, far in zip(rows, rows[1:]):
-        for i in range(4):
-            lines += lit_face((near[i], near[i + 1], far[i + 1]), GROUND)
-            lines += lit_face((near[i], far[i + 1], far[i]), GROUND)
+    for face in ground_grid():
+        lines += lit_face(face, GROUND)
     return lines
+
+
+def plain_face(face):
+    return ["p 3"] + [join(point) for point in face]
+
+
+def s4():
+    lines = header("S4: S2's 1016 triangles under S1's light, with hard shadows.")
+    lines += LEVEL_CAMERA + bench_light()
+    for index, (center, radius, colour) in enumerate(SPHERES):
+        lines += [f"#fc: object {index + 1}", matte(rgb(*colour))]
+        for face in placed_icosphere(center, radius):
+            lines += plain_face(face)
+    lines += ["#fc: object 4", matte(rgb(*GROUND))]
+    for face in ground_grid():
+        lines += plain_face(face)
+    return lines
+
+
+def draws():
+    """Numbers in 0..1 from a linear congruential generator: the same in any language."""
+    x = 1
+    while True:
+        x = (1664525 * x + 1013904223) % 2**32
+        yield Fraction(x, 2**32)
+
+
+def s5_spheres(count):
+    lines = header(f"S5, spheres: S1's camera, light and plane, and {count} spheres here and there.")
+    lines += LEVEL_CAMERA + bench_light()
+    u = draws()
+    for index in range(count):
+        x, z, radius = 8 * next(u) - 4, 2 + 10 * next(u), Fraction(1, 10) + Fraction(1, 5) * next(u)
+        lines += [matte(rgb(*SPHERES[index % 3][2])), f"#fc: object {index + 1}",
+                  f"s {join((x, radius + Fraction(3, 2) * next(u), -z))} {text(radius)}"]
+    return lines + [matte(rgb(*GROUND)), f"#fc: object {count + 1}", "#fc: plane 0 1 0 0"]
+
+
+def s5_field(cells, lit):
+    """A height field of cells x cells, z from 2 to 12; under S1's light or, as S2, in final colours."""
+    lines = header(f"S5, triangles: S1's camera and a height field of {cells} x {cells} cells, "
+                   + ("under S1's light, with hard shadows." if lit else "in final colours as S2."))
+    lines += LEVEL_CAMERA + (bench_light() if lit else [SKY, "#fc: ambient 1"]) + [matte(rgb(*GROUND)), "#fc: object 1"]
+    u = draws()
+    rows = [[(Fraction(8 * i, cells) - 4, Fraction(1, 4) * next(u), -2 - Fraction(10 * j, cells))
+             for i in range(cells + 1)] for j in range(cells + 1)]
+    for face in grid_faces(rows):
+        face = tuple(tuple(map(float, point)) for point in face)
+        lines += plain_face(face) if lit else lit_face(face, GROUND)
+    return lines
+
+
+def bench_only():
+    """{name: lines} of the scenes for tests/bench: S5, spheres, lit triangles and flat ones."""
+    scenes = {"s4": s4()}
+    scenes.update((f"s5s{count}", s5_spheres(count)) for count in (1, 8, 64, 512))
+    for cells in (5, 10, 21, 45):
+        scenes[f"s5t{cells}"] = s5_field(cells, lit=True)
+        scenes[f"s5f{cells}"] = s5_field(cells, lit=False)
+    return scenes
 
 
 def quad(*corners):
@@ -236,11 +316,17 @@ def fight():
 
 
 def main():
-    directory = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
-    for scene in (s1, s1r, s2, box, flake, fight):
-        path = os.path.join(directory, scene.__name__ + ".nff")
-        with open(path, "w", encoding="ascii", newline="\n") as file:
-            file.write("\n".join(scene()) + "\n")
+    arguments = sys.argv[1:]
+    bench = arguments[:1] == ["--bench"]
+    if bench:
+        del arguments[0]
+    if len(arguments) > 1 or (bench and not arguments):
+        sys.exit("usage: generate.py [DIRECTORY] or generate.py --bench DIRECTORY")
+    directory = arguments[0] if arguments else os.path.dirname(os.path.abspath(__file__))
+    scenes = bench_only() if bench else {scene.__name__: scene() for scene in (s1, s1r, s2, box, flake, fight)}
+    for name, lines in scenes.items():
+        with open(os.path.join(directory, name + ".nff"), "w", encoding="ascii", newline="\n") as file:
+            file.write("\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":
