@@ -115,7 +115,7 @@ private:
     }
     row.colour_square_sum += best_error.square_sum;
     row.sums.colour_max = std::max(row.sums.colour_max, best_error.largest);
-    if (best_rank > 0 && best->depth > 0)
+    if (best_rank > 0 && best->depth > 0 && !picture_.depth.empty())
       row.sums.depth_rel_max = std::max(row.sums.depth_rel_max, depth_error(picture_.depth[i], best->depth));
   }
 

@@ -39,7 +39,7 @@ struct Comparison {
  * stands for several, which the oracle's any_light covers. */
 bool same_light(std::uint32_t core_lit, const OracleAnswer &answer, std::size_t lights);
 
-/* `picture` is the frame as FC_RGB888. */
+/* `picture` is the frame as FC_RGB888; where it has no depth, depth_rel_max is 0. */
 Comparison compare(const SceneFile &file, const Oracle &oracle, const CoreFrame &frame,
                    const Picture &picture);
 

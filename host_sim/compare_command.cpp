@@ -9,6 +9,7 @@
 #include "compare.h"
 #include "depth_format.h"
 #include "edge_distance.h"
+#include "frame_file.h"
 #include "frame_run.h"
 #include "progress.h"
 #include "report.h"
@@ -19,7 +20,7 @@ namespace {
 
 struct CompareOptions : SceneOptions {
   bool verbose = false, check = false;
-  std::string depth_format;
+  std::string depth_format, frame;
 };
 
 double per_million(std::size_t count, std::size_t of) {
@@ -102,7 +103,11 @@ void list_wrong_pixels(std::FILE *to, const Oracle &oracle, const Comparison &co
 int run_compare(const CompareOptions &options) {
   const LoadedScene scene = load_scene(options);
   const CoreFrame frame(scene.file, scene.core, scene.options, scene.width, scene.height);
-  const Pictures pictures = render(frame, 16); /* any height gives the same bits; short ones show progress */
+  Pictures pictures;
+  if (options.frame.empty())
+    pictures = render(frame, 16); /* any height gives the same bits; short ones show progress */
+  else
+    pictures.rgb888 = pictures.rgb565 = read_frame_file(options.frame, scene.width, scene.height);
   const FrameCounts counts = count(pictures.rgb565);
   const Oracle oracle(scene.file, scene.width, scene.height);
   const Comparison comparison = compare(scene.file, oracle, frame, pictures.rgb888);
@@ -131,6 +136,11 @@ void add_compare_command(CLI::App &app, Action &action) {
       ->add_option("--depth-format", options->depth_format,
                    "also count the pixels that a z-buffer of this format alone would get wrong")
       ->check(CLI::IsMember(depth_format_names()));
+  command
+      ->add_option("--frame", options->frame,
+                   "measure the frame in this file instead of one by the core; nine bytes a pixel: object id (2) "
+                   "and light mask (4), low byte first, red, green, blue; the CRC is then of red, green, blue")
+      ->type_name("FILE");
   command->add_flag("--check", options->check,
                     "exit with 1 unless ids and shadows are right and colours within 1");
   add_json_option(*command, *options);

@@ -12,33 +12,12 @@ import pathlib
 import re
 import sys
 
+import bench_scenes
 import counting
 import images
 from images import Failure, Image, ROOT, RENDERERS, TARGETS
 
 OPTS = ("-O2", "-Os", "-O3")
-
-
-class Scenes:
-    """Scenes as C files."""
-
-    def __init__(self, work, simulator):
-        self.work, self.simulator = pathlib.Path(work), pathlib.Path(simulator)
-
-    def source(self, scene):
-        path = ROOT / "host_sim/scenes" / f"{scene}.nff"
-        if not path.exists():
-            raise Failure(f"there is no scene {scene}")
-        return path
-
-    def baked(self, scene, renderer):
-        source, made = self.source(scene), self.work / "scenes" / f"{scene}.c"
-        if not self.simulator.exists():
-            raise Failure(f"there is no {self.simulator}: run `make build`")
-        if not made.exists() or made.stat().st_mtime < max(path.stat().st_mtime for path in (source, self.simulator)):
-            made.parent.mkdir(parents=True, exist_ok=True)
-            images.execute([self.simulator, "bake", source, "-o", made])
-        return made
 
 
 def list_of(names):
@@ -80,8 +59,7 @@ def function_table(counts, pixels, rows):
 def quick(options):
     """Counts a few images one after the other and prints them."""
     work = pathlib.Path(options.work)
-    scenes = Scenes(work, options.simulator)
-    workshop = images.Workshop(work, scenes.baked)
+    workshop = images.Workshop(work, bench_scenes.Scenes(work, options.simulator), options.source)
     seen = work / "last.json"
     last = json.loads(seen.read_text()) if seen.exists() else {}
     wrong = 0
@@ -132,6 +110,7 @@ def main():
     parser.add_argument("--profile-functions", action="store_true", help="also print where the instructions go")
     parser.add_argument("--rows", type=int, default=25, metavar="N", help="of that table")
     parser.add_argument("--limit", type=int, default=5_000_000_000, metavar="N", help="give up after N instructions")
+    parser.add_argument("--source", default=ROOT, metavar="DIR", help="the tree whose core is measured")
     parser.add_argument("--work", default=ROOT / "build/bench", metavar="DIR")
     parser.add_argument("--simulator", default=ROOT / "build/fixcast", metavar="FILE")
     options = parser.parse_args()

@@ -2,14 +2,17 @@
 import concurrent.futures
 import functools
 import hashlib
+import os
 import pathlib
 import subprocess
+import time
 import typing
 
 HERE = pathlib.Path(__file__).resolve().parent
 TESTS = HERE.parent
 ROOT = TESTS.parent
 BAREMETAL = TESTS / "baremetal"
+KEEP_SECONDS = 3 * 24 * 3600  # compiled files that are older are made again
 
 
 class Failure(Exception):
@@ -61,13 +64,46 @@ TARGETS = {
     "m3": mps2("mps2-an385", "-mcpu=cortex-m3"),
     "m4": mps2("mps2-an386", "-mcpu=cortex-m4", "-mfloat-abi=soft"),
     "m4f": mps2("mps2-an386", "-mcpu=cortex-m4", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard", fpu=True),
+    "rv32": Target(
+        "riscv64-unknown-elf-", ("-march=rv32imc", "-mabi=ilp32", "--specs=picolibc.specs", *BARE),
+        ("-nostartfiles", "-Wl,--gc-sections", "-L", HERE / "image", "-T", HERE / "image/rv32.ld", "-lm"),
+        (TESTS / "matrix/riscv32.c",), ("qemu-riscv32",)),
+    # An M0+ in the emulator that knows its cycles; see cycles.mjs.
+    "rp2040": Target(
+        "arm-none-eabi-", ("-mthumb", "-mcpu=cortex-m0plus", "-DMEMORY_BYTES=65536", *BARE),
+        ("-nostartfiles", "-Wl,--gc-sections", "-L", HERE / "image", "-T", HERE / "image/rp2040.ld", "-lm"),
+        (BAREMETAL / "start.c", BAREMETAL / "semihost.c"), ("node",)),
     "host": Target("", link=("-lm",)),
 }
 
-# What is linked into an image, besides the port, the scene and, for the core's own renderers, the core.
+
+class Renderer(typing.NamedTuple):
+    """A program of the harness: its source for scenes of spheres and planes, for flat meshes, for all others."""
+    quadrics: typing.Optional[pathlib.Path] = None
+    mesh: typing.Optional[pathlib.Path] = None
+    other: typing.Optional[pathlib.Path] = None
+    flags: tuple = ()
+    core: bool = False  # draws baked scenes with the core
+
+    def source(self, kind):
+        return getattr(self, kind)
+
+
+def core_renderer(*flags):
+    return Renderer(*[HERE / "image/fixcast.c"] * 3, flags, core=True)
+
+
+# No errno after a root: the chip's own instruction will do.
+RIVALS, RIVAL_FLAGS = HERE / "rivals", ("-fno-math-errno", "-I", HERE / "rivals")
 RENDERERS = {
-    "fixcast": ((HERE / "image/fixcast.c",), ()),
-    "fixcast-rays": ((HERE / "image/fixcast.c",), ("-DBY_RAYS",)),
+    "fixcast": core_renderer(),
+    "fixcast-rays": core_renderer("-DBY_RAYS"),
+    "float": Renderer(RIVALS / "rays.c", RIVALS / "mesh_float.c",
+                      flags=("-DREAL=float", "-DSQRT=sqrtf", *RIVAL_FLAGS)),
+    "double": Renderer(RIVALS / "rays.c", flags=("-DREAL=double", "-DSQRT=sqrt", *RIVAL_FLAGS)),
+    "q16": Renderer(RIVALS / "rays_q16.c", flags=("-DREAL_IS_Q16", *RIVAL_FLAGS)),
+    "scan_float": Renderer(RIVALS / "scan_float.c", flags=("-DREAL=float", *RIVAL_FLAGS)),
+    "fixed": Renderer(mesh=RIVALS / "mesh_fixed.c", flags=("-DREAL_IS_Q16", *RIVAL_FLAGS)),
 }
 
 
@@ -91,17 +127,21 @@ class Image(typing.NamedTuple):
 class Workshop:
     """Compiles and links under one directory."""
 
-    def __init__(self, work, scene_file, jobs=2):
-        """`scene_file(scene, renderer)`: the C file of a scene for a renderer."""
-        self.work = pathlib.Path(work).resolve()
-        self.scene_file, self.jobs = scene_file, jobs
+    def __init__(self, work, scenes, source=ROOT, jobs=2):
+        """`scenes`: a bench_scenes.Scenes. `source`: the tree whose core is measured."""
+        self.work, self.source = pathlib.Path(work).resolve(), pathlib.Path(source).resolve()
+        self.scenes, self.jobs = scenes, jobs
         for part in ("objects", "images"):
             (self.work / part).mkdir(parents=True, exist_ok=True)
+            for path in (self.work / part).iterdir():
+                if path.stat().st_mtime < time.time() - KEEP_SECONDS:
+                    path.unlink(missing_ok=True)
 
     @functools.lru_cache(maxsize=None)
     def headers(self):
-        """All headers that anything here includes, as one digest."""
-        paths = [*ROOT.glob("include/**/*.h"), *ROOT.glob("src/core/*.h"), *HERE.rglob("*.h"), *BAREMETAL.glob("*.h")]
+        """All headers and linker scripts that anything here uses, as one digest."""
+        paths = [*self.source.glob("include/**/*.h"), *self.source.glob("src/core/*.h"), *HERE.rglob("*.h"),
+                 *HERE.rglob("*.ld"), *BAREMETAL.glob("*.h")]
         return hashlib.sha256(b"".join(path.read_bytes() for path in sorted(paths))).hexdigest()
 
     @functools.lru_cache(maxsize=None)
@@ -115,34 +155,37 @@ class Workshop:
         target = self.work / "objects" / f"{source.stem}-{digest}.o"
         if not target.exists():
             # Under another name first: two runs may build the same file, and one may be interrupted.
-            fresh = target.with_suffix(f".{id(command):x}.tmp")
+            fresh = target.with_suffix(f".{os.getpid()}-{id(command):x}")
             execute([*command, "-c", source, "-o", fresh])
             fresh.rename(target)
         return target
 
     def build(self, image):
-        """(path of the image, path of its map, {object file: source}); the core's sources only where it is linked."""
-        target = TARGETS[image.target]
-        sources, flags = RENDERERS[image.renderer]
-        compiler = [f"{target.prefix}gcc", "-std=c99", "-Wall", "-Wextra", "-Werror", image.opt, "-ffunction-sections",
-                    "-fdata-sections", *target.flags, "-I", ROOT / "include"]
-        harness = [*compiler, *flags, "-I", HERE / "image", f"-DWIDTH={image.width}", f"-DHEIGHT={image.height}",
-                   f"-DSCENE={image.scene}", f"-DPROFILE={image.profile}", *(["-DDUMP"] if image.dump else [])]
-        todo = [(harness, HERE / "image/main.c")] + [(harness, source) for source in sources]
+        """(path of the image, path of its map, {object file: source})."""
+        target, renderer = TARGETS[image.target], RENDERERS[image.renderer]
+        program = renderer.source(self.scenes.kind(image.scene))
+        if program is None:
+            raise Failure(f"{image.renderer} does not draw {image.scene}")
+        compiler = [f"{target.prefix}gcc", "-std=c99", image.opt, "-ffunction-sections", "-fdata-sections",
+                    *target.flags, "-I", self.source / "include"]
+        harness = [*compiler, "-Wall", "-Wextra", "-Werror", *renderer.flags, "-I", HERE / "image", f"-DWIDTH={image.width}",
+                   f"-DHEIGHT={image.height}", f"-DSCENE={image.scene}", f"-DPROFILE={image.profile}",
+                   *(["-DDUMP"] if image.dump else [])]
+        todo = [(harness, HERE / "image" / ("dump.c" if image.dump else "main.c")), (harness, program)]
         todo += [(compiler, source) for source in target.port]
-        if image.renderer.startswith("fixcast"):
-            core = [*compiler, "-I", ROOT / "src/core"]
-            todo += [(core, source) for source in sorted(ROOT.glob("src/core/*.c"))]
-            todo.append((compiler, self.scene_file(image.scene, image.renderer)))
+        if renderer.core:
+            core = [*compiler, "-I", self.source / "src/core"]
+            todo += [(core, source) for source in sorted(self.source.glob("src/core/*.c"))]
+            todo.append((compiler, self.scenes.baked(image.scene)))
+        else:
+            todo.append((harness, self.scenes.for_rivals(image.scene)))
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
             objects = list(pool.map(lambda task: self.compile(*task), todo))
-        place = self.work / "images" / image.name()
-        link = [*compiler, *objects, *target.link, f"-Wl,-Map={place}.map", "-o", f"{place}.elf"]
-        recipe = " ".join(map(str, link))
-        stamp = pathlib.Path(f"{place}.recipe")
-        if not (stamp.exists() and stamp.read_text() == recipe):
-            stamp.unlink(missing_ok=True)
-            execute(link)
-            stamp.write_text(recipe)
-        return pathlib.Path(f"{place}.elf"), pathlib.Path(f"{place}.map"), \
-            {str(made): source for made, (_, source) in zip(objects, todo)}
+        link = [*compiler, *objects, *target.link]
+        digest = hashlib.sha256(f"{self.headers()} {' '.join(map(str, link))}".encode()).hexdigest()[:12]
+        made = self.work / "images" / f"{image.name()}-{digest}.elf"
+        if not made.exists():
+            fresh = made.with_suffix(f".{os.getpid()}")
+            execute([*link, f"-Wl,-Map={made.with_suffix('.map')}", "-o", fresh])
+            fresh.rename(made)
+        return made, made.with_suffix(".map"), {str(path): source for path, (_, source) in zip(objects, todo)}

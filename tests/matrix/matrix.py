@@ -75,7 +75,7 @@ MACHINES = {
         "rv32imc without a system, qemu-riscv32", "riscv64-unknown-elf-",
         flags=["-march=rv32imc", "-mabi=ilp32", "-ffreestanding", "-isystem", HERE / "freestanding", *BARE],
         link=["-nostdlib", "-lgcc"],
-        port=[HERE / "riscv32.c"],
+        port=[HERE / "riscv32.c", HERE / "memory.c"],
         run=["qemu-riscv32"]),
     "m0": cortex_m("cortex-m0"),
     "m3": cortex_m("cortex-m3"),

@@ -1,5 +1,4 @@
-/* Start-up, semihosting and the two library functions that the core needs, for RV32 without a system. */
-#include <stddef.h>
+/* Start-up and semihosting for RV32 without a system. */
 #include <stdint.h>
 
 #include "semihost.h"
@@ -44,26 +43,6 @@ void semihost_exit(int code) {
   call(SYS_EXIT_EXTENDED, block);
   for (;;) {
   }
-}
-
-/* The barriers keep the compiler from turning these loops into calls of themselves. */
-void *memcpy(void *to, const void *from, size_t bytes) {
-  uint8_t *t = to;
-  const uint8_t *f = from;
-  while (bytes-- > 0) {
-    *t++ = *f++;
-    __asm__ volatile("" ::: "memory");
-  }
-  return to;
-}
-
-void *memset(void *to, int value, size_t bytes) {
-  uint8_t *t = to;
-  while (bytes-- > 0) {
-    *t++ = (uint8_t)value;
-    __asm__ volatile("" ::: "memory");
-  }
-  return to;
 }
 
 /* The loader clears .bss and gives a stack. */

@@ -1,8 +1,7 @@
 /*
  * One frame of one renderer: what is measured lies between marks, the rest of the program does not count.
  *
- * Prints `crc 0x01234567`, `ram_bytes N` and `stack_bytes N`. With -DDUMP (host only) it writes the frame to the file
- * that its argument names instead, for `fixcast compare --frame`.
+ * Prints `crc 0x01234567`, `ram_bytes N` and `stack_bytes N`.
  */
 #include "renderer.h"
 
@@ -103,17 +102,10 @@ static size_t used_below(uint8_t *top) {
 
 /* ---- the frame ---- */
 
-/* Draws it; what becomes of each strip is for the caller to say. */
-static int draw(int (*take)(const strip *drawn, uint16_t rows, void *user), void *user) {
+static int draw(uint32_t *crc) {
+  const strip to = {pixels};
   uint16_t y, rows;
-  strip to = {pixels};
   int failed;
-#ifdef DUMP
-  static uint16_t object[STRIP_ROWS * WIDTH];
-  static uint32_t lit[STRIP_ROWS * WIDTH];
-  to.object = object;
-  to.lit = lit;
-#endif
   bench_mark_setup();
   failed = renderer_setup();
   bench_mark_other();
@@ -122,47 +114,9 @@ static int draw(int (*take)(const strip *drawn, uint16_t rows, void *user), void
     bench_mark_strips();
     failed = renderer_rows(y, rows, &to);
     bench_mark_other();
-    if (!failed) failed = take(&to, rows, user);
+    *crc = crc32(*crc, pixels, (size_t)rows * WIDTH * PIXEL_BYTES);
   }
   return failed;
-}
-
-#ifdef DUMP
-
-/* A pixel is its object (16 bits), light mask (32), both low byte first, red, green and blue. */
-static int dump(const strip *drawn, uint16_t rows, void *user) {
-  size_t i;
-  for (i = 0; i < (size_t)rows * WIDTH; i++) {
-    const uint16_t object = drawn->object[i];
-    const uint32_t lit = drawn->lit[i];
-    const uint8_t *rgb = &drawn->pixels[3 * i];
-    const uint8_t bytes[9] = {(uint8_t)object,
-                              (uint8_t)(object >> 8),
-                              (uint8_t)lit,
-                              (uint8_t)(lit >> 8),
-                              (uint8_t)(lit >> 16),
-                              (uint8_t)(lit >> 24),
-                              rgb[0],
-                              rgb[1],
-                              rgb[2]};
-    if (fwrite(bytes, sizeof bytes, 1, user) != 1) return 1;
-  }
-  return 0;
-}
-
-int main(int argc, char **argv) {
-  FILE *file = argc == 2 ? fopen(argv[1], "wb") : NULL;
-  int failed = file == NULL || renderer_prepare() == 0 || draw(dump, file) != 0;
-  if (file != NULL && fclose(file) != 0) failed = 1;
-  return failed;
-}
-
-#else
-
-static int sum(const strip *drawn, uint16_t rows, void *user) {
-  uint32_t *crc = user;
-  *crc = crc32(*crc, drawn->pixels, (size_t)rows * WIDTH * PIXEL_BYTES);
-  return 0;
 }
 
 int main(void) {
@@ -171,7 +125,7 @@ int main(void) {
   uint8_t *const top = stack_pointer();
   if (ram_bytes == 0) return 1;
   paint(top);
-  if (draw(sum, &crc) != 0) return 1;
+  if (draw(&crc) != 0) return 1;
   put_line("stack_bytes ", used_below(top));
   put_line("ram_bytes ", ram_bytes);
   bench_put("crc 0x");
@@ -179,5 +133,3 @@ int main(void) {
   bench_put("\n");
   return 0;
 }
-
-#endif
