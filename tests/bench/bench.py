@@ -7,6 +7,7 @@ same on every run. More than one --scene, --size, --target, --opt or --renderer 
 """
 import argparse
 import collections
+import itertools
 import json
 import pathlib
 import re
@@ -15,6 +16,7 @@ import sys
 import bench_scenes
 import counting
 import images
+import linkmap
 from images import Failure, Image, ROOT, RENDERERS, TARGETS
 
 OPTS = ("-O2", "-Os", "-O3")
@@ -44,55 +46,62 @@ def opt_of(text):
     return "-" + text.lstrip("-")
 
 
-def function_table(counts, pixels, rows):
-    """The functions that most instructions go to, with their share of the frame."""
+def function_table(by_region, pixels, rows):
+    """The functions that most instructions or cycles go to, with their share of the frame."""
     sums = collections.Counter()
-    for functions in counts.functions.values():
+    for functions in by_region.values():
         sums.update(functions)
     whole = sum(sums.values())
     lines = [f"  {'a pixel':>10} {'share':>6}  function (set-up included)"]
-    for name, instructions in sums.most_common(rows):
-        lines.append(f"  {instructions / pixels:10.2f} {100 * instructions / whole:5.1f}%  {name}")
+    for name, spent in sums.most_common(rows):
+        lines.append(f"  {spent / pixels:10.2f} {100 * spent / whole:5.1f}%  {name}")
     return lines
 
 
+def report(image, counts, flash, before):
+    """One image's figures, for people."""
+    pixels = image.width * image.height
+    total = sum(counts.instructions.values())
+    change = f" ({100 * (total / before - 1):+.2f} % since the last run)" if before else ""
+    cycles = f", {sum(counts.cycles.values()) / pixels:.2f} cycles" if counts.cycles else ""
+    return (f"{image.name()}: {total / pixels:.2f} instructions{cycles} a pixel{change}\n"
+            f"  set-up {counts.instructions['setup']}, strips {counts.instructions['strips']} instructions; "
+            f"flash {flash['core']} + libgcc {flash['libgcc']}, ram {counts.printed.get('ram_bytes')}, "
+            f"stack {counts.printed.get('stack_bytes')} bytes; crc {counts.printed.get('crc')}")
+
+
+def measure(workshop, image, options, last):
+    """Counts one image and prints it; whether its picture is right."""
+    built = workshop.build(image)
+    reference, _, _ = workshop.build(image._replace(target="host", opt="-O2"))
+    counts = counting.count(image.target, built, workshop.work, options.limit)
+    if counts.instructions is None:
+        print(f"{image.name()}: gave up after {options.limit} instructions")
+        return True
+    flash = linkmap.flash(linkmap.read(built[1]), built[2], workshop.work)
+    print(report(image, counts, flash, last.get(image.name())))
+    last[image.name()] = sum(counts.instructions.values())
+    if options.profile_functions:
+        print("\n".join(function_table(counts.function_cycles or counts.functions, image.width * image.height,
+                                       options.rows)))
+    host = counting.run_on_host(reference)
+    right = counts.printed.get("crc") == host.get("crc")
+    if not right:
+        print(f"{image.name()}: the picture is wrong: on the host its crc is {host.get('crc')}")
+    return right
+
+
 def quick(options):
-    """Counts a few images one after the other and prints them."""
+    """Counts images one after the other and prints them."""
     work = pathlib.Path(options.work)
     workshop = images.Workshop(work, bench_scenes.Scenes(work, options.simulator), options.source)
     seen = work / "last.json"
     last = json.loads(seen.read_text()) if seen.exists() else {}
-    wrong = 0
-    for scene in options.scene:
-        for size in options.size:
-            for target in options.target:
-                for opt in options.opt:
-                    for renderer in options.renderer:
-                        image = Image(target, renderer, scene, *size, opt, options.profile)
-                        elf, _, _ = workshop.build(image)
-                        reference, _, _ = workshop.build(image._replace(target="host", opt="-O2"))
-                        counts = counting.count(target, elf, work, options.limit, options.profile_functions)
-                        if counts.instructions is None:
-                            print(f"{image.name()}: gave up after {options.limit} instructions")
-                            continue
-                        host = counting.run_on_host(reference)
-                        pixels = size[0] * size[1]
-                        total = sum(counts.instructions.values())
-                        before = last.get(image.name())
-                        change = f" ({100 * (total / before - 1):+.2f} % since the last run)" if before else ""
-                        print(f"{image.name()}: {total / pixels:.2f} instructions a pixel{change}: set-up "
-                              f"{counts.instructions['setup']}, strips {counts.instructions['strips']}; "
-                              f"stack {counts.printed.get('stack_bytes')}, ram {counts.printed.get('ram_bytes')} bytes; "
-                              f"crc {counts.printed.get('crc')}")
-                        last[image.name()] = total
-                        if options.profile_functions:
-                            print("\n".join(function_table(counts, pixels, options.rows)))
-                        if counts.printed.get("crc") != host.get("crc"):
-                            print(f"{image.name()}: the picture is wrong: crc {counts.printed.get('crc')}, on the host "
-                                  f"{host.get('crc')}")
-                            wrong += 1
+    todo = itertools.product(options.scene, options.size, options.target, options.opt, options.renderer)
+    right = [measure(workshop, Image(target, renderer, scene, *size, opt, options.profile), options, last)
+             for scene, size, target, opt, renderer in todo]
     seen.write_text(json.dumps(last))
-    return 1 if wrong else 0
+    return 0 if all(right) else 1
 
 
 def main():

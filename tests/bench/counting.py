@@ -6,18 +6,22 @@ import re
 import tempfile
 import typing
 
+import linkmap
 from images import HERE, Failure, TARGETS, execute
 
+RP2040JS = "rp2040js@1.4.1"
 MARKS = ("bench_mark_other", "bench_mark_setup", "bench_mark_strips")
 REGIONS = {1: "setup", 2: "strips"}
 
 
 class Counts(typing.NamedTuple):
-    """`instructions` and `functions` by region; None when the limit was reached. `printed`: what the image said."""
-    instructions: typing.Optional[dict]
-    functions: dict
-    printed: dict
+    """By region: instructions, cycles (where the emulator knows them) and the same by function, named file:function.
+    None: the limit was reached. `printed`: what the image said."""
+    instructions: typing.Optional[dict] = None
+    functions: typing.Optional[dict] = None
     cycles: typing.Optional[dict] = None
+    function_cycles: typing.Optional[dict] = None
+    printed: typing.Optional[dict] = None
 
 
 def symbols_of(prefix, image):
@@ -50,34 +54,56 @@ def run_on_host(image):
     return read_printed(execute([image], 600))
 
 
-def count(target_name, image, work, limit=None, by_function=False, seconds=600):
-    target = TARGETS[target_name]
+def rp2040js(work):
+    """The directory where npm has put the RP2040 emulator."""
+    place = pathlib.Path(work) / "node"
+    if not (place / "node_modules/rp2040js/package.json").exists():
+        place.mkdir(parents=True, exist_ok=True)
+        execute(["npm", "install", "--prefix", place, "--no-audit", "--no-fund", "--ignore-scripts", RP2040JS], 300)
+    return place
+
+
+def qemu_command(target, image, work, files, addresses, limit):
+    arguments = [str(plugin(work)), f"out={files['out']}", f"symbols={files['symbols']}", f"limit={limit}"]
+    arguments += [f"region={address:x}" for address in addresses]
+    return [target.run[0], "-plugin", ",".join(arguments), *target.run[1:], image]
+
+
+def rp2040_command(target, image, work, files, addresses, limit):
+    execute([f"{target.prefix}objcopy", "-O", "binary", image, files["bytes"]])
+    return [*target.run, HERE / "cycles.mjs", rp2040js(work), files["bytes"], files["out"], files["symbols"], limit,
+            *(f"{address:x}" for address in addresses)]
+
+
+def read_counts(text, printed):
+    found = {name: collections.defaultdict(dict) for name in ("region", "cycles", "function", "function_cycles")}
+    for words in map(str.split, text.splitlines()):
+        if words == ["limit"]:
+            return Counts()
+        region = REGIONS.get(int(words[1]))
+        if region and words[0] in ("region", "cycles"):
+            found[words[0]][region] = int(words[2])
+        elif region:
+            found[words[0]][region][words[2]] = found[words[0]][region].get(words[2], 0) + int(words[3])
+    return Counts(dict(found["region"]), dict(found["function"]), dict(found["cycles"]) or None,
+                  dict(found["function_cycles"]) or None, printed)
+
+
+def count(target_name, built, work, limit, seconds=600):
+    """Counts an image that Workshop.build made. An instruction limit is the same on every machine; seconds are a
+    last resort."""
+    target, (image, link_map, sources) = TARGETS[target_name], built
     symbols = symbols_of(target.prefix, image)
     addresses = {name: address for address, name in symbols}
     missing = [mark for mark in MARKS if mark not in addresses]
     if missing:
         raise Failure(f"{image} has no symbol {missing[0]}")
+    name_of = linkmap.Names(linkmap.read(link_map), sources)
+    command = rp2040_command if target_name == "rp2040" else qemu_command
     with tempfile.TemporaryDirectory() as place:
-        out, table = pathlib.Path(place) / "counts", pathlib.Path(place) / "symbols"
-        arguments = [str(plugin(work)), f"out={out}"] + [f"region={addresses[mark]:x}" for mark in MARKS]
-        if by_function:
-            table.write_text("".join(f"{address:x} {name}\n" for address, name in symbols))
-            arguments.append(f"symbols={table}")
-        if limit:
-            arguments.append(f"limit={limit}")
-        emulator = list(target.run)
-        emulator[1:1] = [target.plugin, ",".join(arguments)]
-        printed = execute([*emulator, image], seconds)
-        if not out.exists():
-            raise Failure(f"the emulator counted nothing: {printed.strip() or emulator[0]}")
-        lines = [line.split() for line in out.read_text().splitlines()]
-    if ["limit"] in lines:
-        return Counts(None, {}, {})
-    instructions, functions = {}, collections.defaultdict(dict)
-    for words in lines:
-        region = REGIONS.get(int(words[1]))
-        if region and words[0] == "region":
-            instructions[region] = int(words[2])
-        elif region:
-            functions[region][words[2]] = functions[region].get(words[2], 0) + int(words[3])
-    return Counts(instructions, dict(functions), read_printed(printed))
+        files = {name: pathlib.Path(place) / name for name in ("out", "symbols", "bytes")}
+        files["symbols"].write_text("".join(f"{address:x} {name_of(address, name)}\n" for address, name in symbols))
+        output = execute(command(target, image, work, files, [addresses[mark] for mark in MARKS], limit), seconds)
+        if not files["out"].exists():
+            raise Failure(f"the emulator counted nothing: {output.strip() or target.run[0]}")
+        return read_counts(files["out"].read_text(), read_printed(output))

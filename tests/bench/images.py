@@ -41,21 +41,18 @@ class Target(typing.NamedTuple):
     link: tuple = ()           # when linking
     port: tuple = ()           # C files that stand in for an operating system
     run: tuple = ()            # the emulator, before the image's name
-    plugin: str = "-plugin"    # the emulator's option for a plug-in; empty: it counts by other means
-    fpu: bool = False
 
 
 BARE = ("-DFIXCAST_BAREMETAL", "-I", BAREMETAL)
 
 
-def mps2(machine, *cpu, fpu=False):
+def mps2(machine, *cpu):
     return Target(
         "arm-none-eabi-", ("-mthumb", *cpu, *BARE),
         ("-nostartfiles", "-Wl,--gc-sections", "-L", HERE / "image", "-T", HERE / "image/mps2.ld", "-lm"),
         (BAREMETAL / "start.c", BAREMETAL / "semihost.c"),
         ("qemu-system-arm", "-M", machine, "-display", "none", "-nic", "none", "-monitor", "none", "-serial", "none",
-         "-chardev", "stdio,id=output", "-semihosting-config", "enable=on,target=native,chardev=output", "-kernel"),
-        fpu=fpu)
+         "-chardev", "stdio,id=output", "-semihosting-config", "enable=on,target=native,chardev=output", "-kernel"))
 
 
 # Code for Cortex-M0+ and M4 without FPU takes as many instructions on the M3 that has the memory as on its own chip.
@@ -63,7 +60,7 @@ TARGETS = {
     "m0plus": mps2("mps2-an385", "-mcpu=cortex-m0plus"),
     "m3": mps2("mps2-an385", "-mcpu=cortex-m3"),
     "m4": mps2("mps2-an386", "-mcpu=cortex-m4", "-mfloat-abi=soft"),
-    "m4f": mps2("mps2-an386", "-mcpu=cortex-m4", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard", fpu=True),
+    "m4f": mps2("mps2-an386", "-mcpu=cortex-m4", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard"),
     "rv32": Target(
         "riscv64-unknown-elf-", ("-march=rv32imc", "-mabi=ilp32", "--specs=picolibc.specs", *BARE),
         ("-nostartfiles", "-Wl,--gc-sections", "-L", HERE / "image", "-T", HERE / "image/rv32.ld", "-lm"),
