@@ -51,6 +51,11 @@ typedef struct fc_frame {
   int64_t epsilon_grid; /* epsilon in camera grid units */
   uint32_t depth_near; /* camera z, in grid units, of depth value 1 */
   uint8_t depth_exponent_bits;
+  uint8_t light;       /* how the scan engine lights it */
+  uint8_t far_shift;
+  uint32_t far_low, far_high; /* near / z, Q30: beyond the far limit everywhere below, within it above */
+  uint32_t far_scale;
+  uint32_t light_level[3]; /* of the only light, Q15 */
 } fc_frame;
 
 /* Bytes of working memory a frame of this scene needs (12 a vertex, 16 a sphere, 24 a plane, 24 a light, rounded
@@ -63,8 +68,12 @@ size_t fc_frame_memory(const fc_scene *scene, int *error);
 int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *camera, const fc_options *options,
                    uint16_t width, uint16_t height, void *memory, size_t memory_bytes);
 
-/* Renders rows y .. y + rows - 1. Returns FC_OK or an error (nothing is written then). */
+/* Renders rows y .. y + rows - 1 with the scan engine. Returns FC_OK or an error (nothing is written then). */
 int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
+
+/* The same by the ray engine, a ray a pixel: slow, and the definition. Visible primitives, lights that reach them and
+ * depth codes are equal; colours are within one level (SPEC section 5). */
+int fc_render_rows_by_rays(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
 
 /* What pixel (x, y) shows: 1 with *hit filled (world coordinates; lit as in fc_target, lit may be NULL),
  * 0 for background, or an error. hit->t_q32 is the depth (camera z) in world coordinates. hit->position is

@@ -26,10 +26,30 @@ static inline uint64_t fc_abs64(int64_t v) { return v < 0 ? 0u - (uint64_t)v : (
 
 static inline uint32_t fc_abs32(int32_t v) { return v < 0 ? 0u - (uint32_t)v : (uint32_t)v; }
 
-/* floor(v / 2^s), s 0..63. */
+/* floor(v / 2^s), s 0..63. What >> does to a negative number C99 leaves to the compiler: where it is the floor, one
+ * instruction is used, and the other form elsewhere. */
 static inline int64_t fc_floor_shift64(int64_t v, uint8_t s) {
+  if (INT64_C(-3) >> 1 == -2) return v >> s;
   return v < 0 ? -(int64_t)(~(uint64_t)v >> s) - 1 : (int64_t)((uint64_t)v >> s);
 }
+
+/* floor(v / 2^s), s 0..31. */
+static inline int32_t fc_floor_shift32(int32_t v, uint8_t s) {
+  if (INT32_C(-3) >> 1 == -2) return v >> s;
+  return v < 0 ? -(int32_t)(~(uint32_t)v >> s) - 1 : (int32_t)((uint32_t)v >> s);
+}
+
+/* The two's complement value of a word. */
+static inline int64_t fc_to_i64(uint64_t v) {
+  return v >> 63 ? -(int64_t)(~v) - 1 : (int64_t)v;
+}
+
+static inline int32_t fc_to_i32(uint32_t v) {
+  return v >> 31 ? -(int32_t)(~v) - 1 : (int32_t)v;
+}
+
+/* floor(v / 2^32). */
+static inline int32_t fc_high_word(int64_t v) { return fc_to_i32((uint32_t)((uint64_t)v >> 32)); }
 
 static inline int8_t fc_sign64(int64_t v) { return (int8_t)((v > 0) - (v < 0)); }
 

@@ -5,6 +5,7 @@
 #include "depth.h"
 #include "fixcast/error.h"
 #include "fixcast/render.h"
+#include "scan.h"
 #include "space.h"
 #include "view.h"
 
@@ -100,6 +101,62 @@ static void measure_depth(fc_frame *frame) {
   fc_depth_choose(frame, near, far);
 }
 
+/* Which hits the far limit cuts: exactly between two bounds, and by these numbers in between (scan.h). */
+static void set_far(fc_frame *frame) {
+  const uint32_t one = UINT32_C(1) << 30;
+  int64_t corner[3];
+  fc_num far, ratio, scale, longest;
+  if (frame->scene.far_limit == 0) return;
+  far = fc_num_from_u64((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame));
+  ratio = fc_num_div(fc_num_from_u64(frame->depth_near, 0), far);
+  fc_view_direction(frame, 0, 0, corner);
+  longest = fc_num_div(fc_length(corner), fc_num_from_u64((uint64_t)corner[2], 0));
+  frame->far_low = (uint32_t)fc_num_round(fc_num_compare(ratio, fc_num_from_u64(1, 0)) < 0 ? ratio : fc_num_from_u64(1, 0), 30);
+  if (frame->far_low > 2) frame->far_low -= 2;
+  longest = fc_num_mul(longest, ratio);
+  frame->far_high = fc_num_compare(longest, fc_num_from_u64(1, 0)) < 0 ? (uint32_t)fc_num_round(longest, 30) + 2 : UINT32_MAX - 2 * one;
+  scale = fc_num_div(ratio, fc_num_from_u64((uint64_t)corner[2], 0));
+  scale = fc_num_scale(fc_num_mul(scale, scale), 82);
+  if (scale.m == 0 || scale.e > -31 || scale.e < -31 - 63) {
+    frame->far_shift = FC_FAR_EXACT;
+  } else {
+    frame->far_scale = (uint32_t)(scale.m >> 31);
+    frame->far_shift = (uint8_t)(-31 - scale.e);
+  }
+}
+
+/* Whether the scan engine's light forms hold: one light, no falloff, exact shadows, within 2^30 grid units. */
+static void set_light(fc_frame *frame) {
+  const uint64_t reach = (uint64_t)FC_COORDINATE_MAX;
+  fc_light light;
+  uint16_t intensity[3];
+  uint8_t i;
+  frame->light = FC_LIGHT_MANY;
+  if (frame->scene.light_count == 0) frame->light = FC_LIGHT_NONE;
+  if (frame->scene.light_count != 1 || frame->options.offset_rule != FC_OFFSET_EXACT) return;
+  FC_READ(&light, frame->scene.lights, sizeof light);
+  if (light.inverse_square || light.intensity_exponent > 14 || fc_abs64(frame->lights[0]) > reach ||
+      fc_abs64(frame->lights[1]) > reach || fc_abs64(frame->lights[2]) > reach)
+    return;
+  intensity[0] = light.intensity.r;
+  intensity[1] = light.intensity.g;
+  intensity[2] = light.intensity.b;
+  for (i = 0; i < 3; i++)
+    frame->light_level[i] = (uint32_t)fc_num_round(fc_num_from_u64(intensity[i], 0), light.intensity_exponent);
+  frame->light = FC_LIGHT_ONE;
+}
+
+/* What the kinds keep for the scan engine. */
+static void project_shapes(const fc_frame *frame) {
+  fc_space space;
+  fc_cursor cursor;
+  space.scene = &frame->scene;
+  space.memory = NULL;
+  fc_cursor_start(&cursor, &space);
+  while (fc_cursor_next(&cursor))
+    cursor.kind.project(frame, &cursor.group.shapes, (unsigned char *)frame->memory + cursor.bytes);
+}
+
 static int check_options(const fc_options *options) {
   if (options->offset_rule > FC_OFFSET_NONE) return FC_ERR_FORMAT;
   if (options->depth_exponent_bits != 0 && (options->depth_exponent_bits < 2 || options->depth_exponent_bits > 4))
@@ -144,5 +201,8 @@ int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *came
                          frame->view.fine - frame->view.shift);
   frame->epsilon_grid = epsilon > (UINT64_C(1) << 40) ? INT64_C(1) << 40 : (int64_t)epsilon;
   measure_depth(frame);
+  set_far(frame);
+  set_light(frame);
+  project_shapes(frame);
   return FC_OK;
 }

@@ -46,8 +46,8 @@ fc_i128 fc_i128_shift_left(fc_i128 a, uint8_t s) {
   return r;
 }
 
-/* floor(a / 2^s): the sign is shifted in by hand, as C99 does not promise it. */
-static fc_i128 floor_shift(fc_i128 a, uint8_t s) {
+/* The sign is shifted in by hand, as C99 does not promise it. */
+fc_i128 fc_i128_floor_shift(fc_i128 a, uint8_t s) {
   uint64_t fill = a.hi >> 63 ? UINT64_MAX : 0;
   fc_i128 r;
   if (s == 0) return a;
@@ -64,7 +64,7 @@ static fc_i128 floor_shift(fc_i128 a, uint8_t s) {
 
 fc_i128 fc_i128_round_shift(fc_i128 a, uint8_t s) {
   if (s == 0) return a;
-  return floor_shift(fc_i128_add(a, fc_i128_shift_left(fc_i128_from(1), (uint8_t)(s - 1))), s);
+  return fc_i128_floor_shift(fc_i128_add(a, fc_i128_shift_left(fc_i128_from(1), (uint8_t)(s - 1))), s);
 }
 
 uint8_t fc_i128_bits(fc_i128 a) {

@@ -58,6 +58,9 @@ fc_i128 fc_i128_dot(const int64_t a[3], const int64_t b[3]);
 /* a * 2^s, s 0..127, for a result within 2^127. */
 fc_i128 fc_i128_shift_left(fc_i128 a, uint8_t s);
 
+/* floor(a / 2^s), s 0..127. */
+fc_i128 fc_i128_floor_shift(fc_i128 a, uint8_t s);
+
 /* round(a / 2^s), halves up, s 0..126. */
 fc_i128 fc_i128_round_shift(fc_i128 a, uint8_t s);
 

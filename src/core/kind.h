@@ -66,6 +66,15 @@ typedef struct fc_window {
   int32_t x0, x1, y0, y1;
 } fc_window;
 
+/* Cuts a window to the frame; false when nothing is left. */
+bool fc_window_cut(const fc_frame *frame, fc_window *window);
+
+/* The pixels that a ball may touch; false when there are none. */
+bool fc_ball_window(const fc_frame *frame, const int64_t center[3], int64_t radius, fc_window *window);
+
+typedef struct fc_scan fc_scan;
+typedef struct fc_planar fc_planar;
+
 struct fc_kind {
   /* Checks the table's items; FC_OK or an error. */
   int (*check)(const fc_scene *scene, const fc_shapes *shapes);
@@ -90,11 +99,19 @@ struct fc_kind {
   void (*step_off)(const fc_form *form, bool inside, int64_t point[3]);
   /* Barycentric weights of a hit, Q30; NULL where there are none. */
   void (*weights)(const fc_prepared *prepared, const int64_t direction[3], uint32_t weight_q30[3]);
-  /* Narrows the window (given as the whole frame) to what the form may touch; false when it cannot be seen. */
-  bool (*window)(const fc_frame *frame, const fc_form *form, fc_window *window);
   /* Least and greatest camera z that can be seen; *near 0: may reach the eye's plane; *far UINT64_MAX: unbounded.
    * False when the form cannot be seen. */
   bool (*depth_range)(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far);
+  /* After the grid and the depth format are chosen: fills what the scan engine needs of the table's memory. */
+  void (*project)(const fc_frame *frame, const fc_shapes *shapes, void *memory);
+  /* The pixels that an item may touch, cut to the frame; false when there are none. */
+  bool (*window)(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *window);
+  /* Draws a tile of the primitive: depth, visibility, light (scan.h). */
+  void (*draw)(fc_scan *scan);
+  /* Clears the mask of a planar receiver where the form keeps its light away (planar.h). */
+  void (*shadow)(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form);
+  /* Whether the form might come between a light and some point of a ball; true when in doubt. */
+  bool (*between)(const fc_form *form, const int64_t light[3], const int64_t center[3], int64_t radius);
 };
 
 #endif

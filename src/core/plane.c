@@ -2,15 +2,8 @@
 #include "bits.h"
 #include "fixcast/error.h"
 #include "kind.h"
+#include "scan_kinds.h"
 #include "view.h"
-
-/* Camera-space record. */
-typedef struct placed_plane {
-  int64_t k; /* normal . p = k */
-  int32_t normal[3], unused; /* 24 bytes on every machine: memory is a multiple of 8 */
-} placed_plane;
-
-typedef char placed_plane_is_whole[sizeof(placed_plane) % 8 == 0 ? 1 : -1];
 
 static void read_item(const fc_shapes *shapes, uint16_t index, fc_plane *plane) {
   FC_READ(plane, (const fc_plane *)shapes->items + index, sizeof *plane);
@@ -31,7 +24,7 @@ static int check(const fc_scene *scene, const fc_shapes *shapes) {
   return FC_OK;
 }
 
-static size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(placed_plane); }
+static size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_plane); }
 
 static void normal_of(const fc_plane *p, int64_t n[3]) {
   n[0] = p->normal.x;
@@ -63,7 +56,7 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
 }
 
 static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
-  placed_plane *placed = to;
+  fc_placed_plane *placed = to;
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
     fc_plane p;
@@ -94,7 +87,7 @@ static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
   form->material = p.material;
   form->object = p.object;
   if (group->memory != NULL) {
-    const placed_plane *placed = (const placed_plane *)group->memory + index;
+    const fc_placed_plane *placed = (const fc_placed_plane *)group->memory + index;
     form->u.plane.normal[0] = placed->normal[0];
     form->u.plane.normal[1] = placed->normal[1];
     form->u.plane.normal[2] = placed->normal[2];
@@ -153,13 +146,6 @@ static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
   fc_step_off_plane(form->u.plane.normal, fc_i128_from(form->u.plane.k), inside, point);
 }
 
-static bool window(const fc_frame *frame, const fc_form *form, fc_window *box) {
-  (void)frame;
-  (void)form;
-  (void)box;
-  return true;
-}
-
 static bool depth_range(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far) {
   /* 1/z is affine in the pixel, so the corner pixels hold its extremes; a corner that misses means the horizon
    * is in view, and z has no bound. */
@@ -185,5 +171,6 @@ static bool depth_range(const fc_frame *frame, const fc_form *form, uint64_t *ne
   return hits > 0;
 }
 
-const fc_kind fc_kind_plane FC_ROM = {check,   memory, extent, place,    fetch,  prepare,    test,
-                                      blocked, facing, normal, step_off, NULL,   window, depth_range};
+const fc_kind fc_kind_plane FC_ROM = {
+    check,    memory, extent,      place,            fetch,           prepare,       test,            blocked,        facing, normal,
+    step_off, NULL,   depth_range, fc_plane_project, fc_plane_window, fc_plane_draw, fc_plane_shadow, fc_plane_between};

@@ -75,7 +75,16 @@ static bool reached(const fc_frame *frame, const fc_space *space, const fc_surfa
   return !fc_space_blocked(space, segment, FC_PRIMITIVES_MAX);
 }
 
-void fc_shade(const fc_frame *frame, const fc_space *space, const fc_surface *surface, uint8_t rgb[3], uint32_t *lit) {
+bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const int64_t position[3]) {
+  fc_segment segment;
+  segment.light[0] = position[0];
+  segment.light[1] = position[1];
+  segment.light[2] = position[2];
+  return reached(frame, space, surface, &segment);
+}
+
+void fc_shade(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const uint8_t most[3],
+              uint8_t level[3], uint32_t *lit) {
   /* light arriving a channel, Q39: 16 + 32 bits a light, 65535 lights and ambient: below 2^64 */
   uint64_t sum[3];
   fc_material material;
@@ -93,11 +102,9 @@ void fc_shade(const fc_frame *frame, const fc_space *space, const fc_surface *su
   *lit = 0;
   for (i = 0; i < scene->light_count; i++) {
     fc_light light;
-    fc_segment segment;
     uint32_t q24;
     const int64_t *position = frame->lights + 3 * (size_t)i;
-    for (j = 0; j < 3; j++) segment.light[j] = position[j];
-    if (!reached(frame, space, surface, &segment)) continue;
+    if (!fc_light_reaches(frame, space, surface, position)) continue;
     *lit |= UINT32_C(1) << (i < 31 ? i : 31);
     FC_READ(&light, scene->lights + i, sizeof light);
     q24 = irradiance_q24(frame, surface, &light, position);
@@ -107,6 +114,6 @@ void fc_shade(const fc_frame *frame, const fc_space *space, const fc_surface *su
   }
   for (j = 0; j < 3; j++) {
     uint64_t q24 = (sum[j] + (1u << 14)) >> 15;
-    rgb[j] = fc_pixel_level(diffuse[j], q24 > UINT32_MAX ? UINT32_MAX : (uint32_t)q24);
+    level[j] = fc_pixel_level(diffuse[j], most[j], q24 > UINT32_MAX ? UINT32_MAX : (uint32_t)q24);
   }
 }

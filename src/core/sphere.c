@@ -2,15 +2,9 @@
 #include "bits.h"
 #include "fixcast/error.h"
 #include "kind.h"
+#include "scan_kinds.h"
 #include "tally.h"
 #include "view.h"
-
-/* Camera-space record. */
-typedef struct placed_sphere {
-  int32_t center[3], radius;
-} placed_sphere;
-
-typedef char placed_sphere_is_whole[sizeof(placed_sphere) % 8 == 0 ? 1 : -1];
 
 static void read_item(const fc_shapes *shapes, uint16_t index, fc_sphere *sphere) {
   FC_READ(sphere, (const fc_sphere *)shapes->items + index, sizeof *sphere);
@@ -30,7 +24,7 @@ static int check(const fc_scene *scene, const fc_shapes *shapes) {
   return FC_OK;
 }
 
-static size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(placed_sphere); }
+static size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_sphere); }
 
 static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   fc_num most = {0, 0};
@@ -48,7 +42,7 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
 }
 
 static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
-  placed_sphere *placed = to;
+  fc_placed_sphere *placed = to;
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
     fc_sphere s;
@@ -68,7 +62,7 @@ static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
   form->material = s.material;
   form->object = s.object;
   if (group->memory != NULL) {
-    const placed_sphere *placed = (const placed_sphere *)group->memory + index;
+    const fc_placed_sphere *placed = (const fc_placed_sphere *)group->memory + index;
     form->u.sphere.center[0] = placed->center[0];
     form->u.sphere.center[1] = placed->center[1];
     form->u.sphere.center[2] = placed->center[2];
@@ -357,20 +351,6 @@ static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
   }
 }
 
-static bool window(const fc_frame *frame, const fc_form *form, fc_window *box) {
-  const int64_t *c = form->u.sphere.center;
-  int64_t r = form->u.sphere.radius, near = c[2] - r, far = c[2] + r;
-  int64_t left = c[0] - r, right = c[0] + r, bottom = c[1] - r, top = c[1] + r;
-  if (far <= 0) return false;
-  if (near <= 0) return true;
-  /* each side's extreme is on the near or the far face of the box around the sphere */
-  box->x0 = fc_view_project(frame, 0, left, left < 0 ? near : far) - 1;
-  box->x1 = fc_view_project(frame, 0, right, right > 0 ? near : far) + 1;
-  box->y0 = fc_view_project(frame, 1, top, top > 0 ? near : far) - 1;
-  box->y1 = fc_view_project(frame, 1, bottom, bottom < 0 ? near : far) + 1;
-  return true;
-}
-
 static bool depth_range(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far) {
   int64_t z = form->u.sphere.center[2], r = form->u.sphere.radius;
   (void)frame;
@@ -380,5 +360,6 @@ static bool depth_range(const fc_frame *frame, const fc_form *form, uint64_t *ne
   return true;
 }
 
-const fc_kind fc_kind_sphere FC_ROM = {check,   memory, extent, place,    fetch,  prepare,    test,
-                                       blocked, facing, normal, step_off, NULL,   window, depth_range};
+const fc_kind fc_kind_sphere FC_ROM = {
+    check,    memory, extent,      place,             fetch,            prepare,        test,             blocked,         facing, normal,
+    step_off, NULL,   depth_range, fc_sphere_project, fc_sphere_window, fc_sphere_draw, fc_sphere_shadow, fc_sphere_between};

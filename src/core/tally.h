@@ -18,6 +18,8 @@ typedef enum fc_decision {
   FC_DECIDE_SIDE,    /* a point and a plane */
   FC_DECIDE_PIERCE,  /* a segment and a triangle's edges */
   FC_DECIDE_PASS,    /* a segment and a sphere */
+  FC_DECIDE_PIXEL,   /* a pixel that the scan engine left to the ray engine */
+  FC_DECIDE_LIT,     /* ... a light at a pixel */
   FC_DECISIONS
 } fc_decision;
 

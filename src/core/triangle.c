@@ -2,6 +2,7 @@
 #include "bits.h"
 #include "fixcast/error.h"
 #include "kind.h"
+#include "scan_kinds.h"
 #include "tally.h"
 #include "view.h"
 
@@ -71,7 +72,7 @@ static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   }
 }
 
-static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
+void fc_triangle_fetch(const fc_group *group, uint16_t index, fc_form *form) {
   fc_triangle t;
   uint8_t i;
   read_item(&group->shapes, index, &t);
@@ -103,7 +104,7 @@ static void subtract(const int64_t a[3], const int64_t b[3], int64_t r[3]) {
 }
 
 /* (B - A) x (C - A): edges below 2^31, so each component is below 2^63. */
-static void face_normal(const fc_form *form, int64_t n[3]) {
+void fc_face_normal(const fc_form *form, int64_t n[3]) {
   int64_t ab[3], ac[3];
   subtract(form->u.triangle.vertex[1], form->u.triangle.vertex[0], ab);
   subtract(form->u.triangle.vertex[2], form->u.triangle.vertex[0], ac);
@@ -128,7 +129,7 @@ static void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *p
     shrink(prepared->u.triangle.edge[i], small, &shift);
     for (j = 0; j < 3; j++) prepared->u.triangle.filter[i][j] = (int32_t)small[j];
   }
-  face_normal(form, prepared->u.triangle.normal);
+  fc_face_normal(form, prepared->u.triangle.normal);
   prepared->u.triangle.side = fc_i128_dot(prepared->u.triangle.normal, v[0]); /* 63 + 31 + 2 bits */
 }
 
@@ -260,7 +261,7 @@ static bool blocked(const fc_form *form, const fc_segment *segment) {
   inside = quick_pierces(form, segment);
   FC_TALLY(FC_DECIDE_PIERCE, inside < 0);
   if (inside == 0) return false;
-  face_normal(form, n);
+  fc_face_normal(form, n);
   light = side_of_light(form, segment, n);
   if (light == 0 || fc_side_of_point(segment, n, fc_i128_dot(n, form->u.triangle.vertex[0])) != -light) return false;
   return inside == 1 || exact_pierces(form, segment);
@@ -280,7 +281,7 @@ static bool normal(const fc_form *form, const fc_prepared *prepared, const int64
 
 static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
   int64_t n[3];
-  face_normal(form, n);
+  fc_face_normal(form, n);
   fc_step_off_plane(n, fc_i128_dot(n, form->u.triangle.vertex[0]), inside, point);
 }
 
@@ -292,22 +293,6 @@ static void weights(const fc_prepared *prepared, const int64_t direction[3], uin
     fc_num part = fc_num_from_abs(fc_i128_dot(prepared->u.triangle.edge[next(i)], direction));
     weight_q30[i] = (uint32_t)fc_num_round(fc_num_div(part, whole), 30);
   }
-}
-
-static bool window(const fc_frame *frame, const fc_form *form, fc_window *box) {
-  uint8_t i, behind = 0;
-  for (i = 0; i < 3; i++) behind = (uint8_t)(behind + (form->u.triangle.vertex[i][2] <= 0));
-  if (behind == 3) return false;
-  if (behind > 0) return true;
-  for (i = 0; i < 3; i++) {
-    const int64_t *v = form->u.triangle.vertex[i];
-    int32_t x = fc_view_project(frame, 0, v[0], v[2]), y = fc_view_project(frame, 1, v[1], v[2]);
-    if (i == 0 || x - 1 < box->x0) box->x0 = x - 1;
-    if (i == 0 || x + 1 > box->x1) box->x1 = x + 1;
-    if (i == 0 || y - 1 < box->y0) box->y0 = y - 1;
-    if (i == 0 || y + 1 > box->y1) box->y1 = y + 1;
-  }
-  return true;
 }
 
 static bool depth_range(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far) {
@@ -325,5 +310,21 @@ static bool depth_range(const fc_frame *frame, const fc_form *form, uint64_t *ne
   return true;
 }
 
-const fc_kind fc_kind_triangle FC_ROM = {check,   memory, extent, place,    fetch,  prepare,    test,
-                                         blocked, facing, normal, step_off, weights, window, depth_range};
+const fc_kind fc_kind_triangle FC_ROM = {check,
+                                         memory,
+                                         extent,
+                                         place,
+                                         fc_triangle_fetch,
+                                         prepare,
+                                         test,
+                                         blocked,
+                                         facing,
+                                         normal,
+                                         step_off,
+                                         weights,
+                                         depth_range,
+                                         fc_triangle_project,
+                                         fc_triangle_window,
+                                         fc_triangle_draw,
+                                         fc_triangle_shadow,
+                                         fc_triangle_between};

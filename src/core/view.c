@@ -3,6 +3,7 @@
 
 #include "bits.h"
 #include "fixcast/error.h"
+#include "kind.h"
 #include "segment.h"
 
 /* Rounds v / length to Q30, |v| <= length. */
@@ -173,4 +174,36 @@ int32_t fc_view_project(const fc_frame *frame, uint8_t axis, int64_t a, int64_t 
   if (half < -INT64_C(2000000)) half = -INT64_C(2000000);
   pixel = axis == 0 ? half + frame->width : frame->height - half;
   return pixel < -4 ? -2 : (int32_t)(pixel / 2);
+}
+
+bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t d[3]) {
+  if (frame->scene.far_limit == 0) return false;
+  /* 30-bit components: below 3 * 2^60 */
+  return fc_root_compare_distance(root, d[0] * d[0] + d[1] * d[1] + d[2] * d[2], frame->scene.far_limit,
+                                  fc_view_far_exponent(frame)) > 0;
+}
+
+bool fc_window_cut(const fc_frame *frame, fc_window *box) {
+  if (box->x0 < 0) box->x0 = 0;
+  if (box->y0 < 0) box->y0 = 0;
+  if (box->x1 > frame->width - 1) box->x1 = frame->width - 1;
+  if (box->y1 > frame->height - 1) box->y1 = frame->height - 1;
+  return box->x0 <= box->x1 && box->y0 <= box->y1;
+}
+
+bool fc_ball_window(const fc_frame *frame, const int64_t c[3], int64_t r, fc_window *box) {
+  int64_t near = c[2] - r, far = c[2] + r;
+  int64_t left = c[0] - r, right = c[0] + r, bottom = c[1] - r, top = c[1] + r;
+  box->x0 = box->y0 = 0;
+  box->x1 = frame->width - 1;
+  box->y1 = frame->height - 1;
+  if (far <= 0) return false;
+  if (near > 0) {
+    /* each side's extreme is on the near or the far face of the box around the ball */
+    box->x0 = fc_view_project(frame, 0, left, left < 0 ? near : far) - 1;
+    box->x1 = fc_view_project(frame, 0, right, right > 0 ? near : far) + 1;
+    box->y0 = fc_view_project(frame, 1, top, top > 0 ? near : far) - 1;
+    box->y1 = fc_view_project(frame, 1, bottom, bottom < 0 ? near : far) + 1;
+  }
+  return fc_window_cut(frame, box);
 }

@@ -8,6 +8,7 @@
 #include "fixcast/render.h"
 #include "i128.h"
 #include "num.h"
+#include "root.h"
 
 /* Rows, eye and pixel directions from a camera (view->shift is set later); FC_OK or an error. */
 int fc_view_from_camera(fc_view *view, const fc_camera *camera, uint16_t width, uint16_t height);
@@ -25,6 +26,9 @@ void fc_view_offset(const fc_view *view, const fc_vec3 *v, int64_t offset[3]);
 static inline int16_t fc_view_far_exponent(const fc_frame *frame) {
   return (int16_t)(frame->scene.far_exponent + frame->view.fine - frame->view.shift);
 }
+
+/* Whether a primary hit is beyond the scene's far limit. */
+bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t direction[3]);
 
 /* |v| as a value. */
 fc_num fc_length(const int64_t v[3]);

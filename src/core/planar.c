@@ -1,0 +1,218 @@
+/* Lights and shadows on planar receivers. */
+#include "planar.h"
+
+#include "bits.h"
+#include "tally.h"
+
+static fc_i128 scaled(fc_i128 a, int64_t b) { return fc_i128_scale(a, b); }
+
+/* k D - (n.D) L an axis: k below 2^95, D 2^30; n.D 2^95, L 2^30: below 2^127. */
+static fc_i128 along(fc_i128 k, int64_t d, fc_i128 nd, int64_t light) {
+  return fc_i128_sub(scaled(k, d), scaled(nd, light));
+}
+
+static int32_t cut(fc_i128 v, uint8_t shift) { return (int32_t)fc_i128_to_i64(fc_i128_floor_shift(v, shift)); }
+
+static uint64_t magnitude(fc_i128 v, uint8_t shift) {
+  return fc_abs64(fc_i128_to_i64(fc_i128_floor_shift(v, shift))) + 1;
+}
+
+/* The cosine's numerator (k - n.L) (n.D) / |n| in the unit of W: affine too. */
+typedef struct cosine {
+  int32_t at, dx, dy;
+} cosine;
+
+static int32_t value_of(fc_num factor, fc_i128 nd) {
+  int32_t v = (int32_t)fc_num_round(fc_num_mul(factor, fc_num_from_abs(nd)), 0);
+  return fc_i128_sign(nd) < 0 ? -v : v;
+}
+
+/* W and the cosine's numerator over the tile. */
+static void set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
+  const int64_t *light = scan->frame->lights;
+  int64_t d[3], step;
+  fc_i128 nd, ndx, ndy, at[3], dx[3], dy[3];
+  fc_num factor;
+  uint64_t most = 0;
+  uint8_t i, bits = 0, shift;
+  fc_scan_direction(scan, d, &step);
+  nd = fc_i128_dot(planar->normal, d);
+  ndx = fc_i128_mul(planar->normal[0], step);
+  ndy = fc_i128_mul(planar->normal[1], -step);
+  for (i = 0; i < 3; i++) {
+    uint8_t b;
+    at[i] = along(planar->k, d[i], nd, light[i]);
+    dx[i] = along(planar->k, i == 0 ? step : 0, ndx, light[i]);
+    dy[i] = along(planar->k, i == 1 ? -step : 0, ndy, light[i]);
+    b = fc_i128_bits(at[i]);
+    if (b > bits) bits = b;
+  }
+  /* |W| anywhere in the tile, in units of 2^shift, is below 2^30: measured in units 2^14 times as coarse */
+  shift = bits > 40 ? (uint8_t)(bits - 40) : 0;
+  for (i = 0; i < 3; i++) {
+    uint64_t sum = magnitude(at[i], shift) + magnitude(dx[i], shift) * scan->columns + magnitude(dy[i], shift) * scan->rows;
+    if (sum > most) most = sum;
+  }
+  i = fc_bits64(most);
+  shift = (uint8_t)(shift + i > 30 ? shift + i - 30 : 0);
+  for (i = 0; i < 3; i++) {
+    planar->w.at[i] = cut(at[i], shift);
+    planar->w.dx[i] = cut(dx[i], shift);
+    planar->w.dy[i] = cut(dy[i], shift);
+  }
+  planar->w.error = (uint32_t)scan->columns + scan->rows + 1;
+  factor = fc_num_div(fc_num_from_abs(planar->height), fc_length(planar->normal));
+  factor = fc_num_scale(factor, -(int32_t)shift);
+  g->at = value_of(factor, nd);
+  g->dx = value_of(factor, ndx);
+  g->dy = value_of(factor, ndy);
+}
+
+bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
+                          fc_window *doubt) {
+  fc_i128 above = fc_i128_sub(receiver->k, fc_i128_dot(receiver->normal, center));
+  fc_num length, r = fc_num_from_u64((uint64_t)radius, 0), rise, dip, reach, foot;
+  int64_t t[3], to_light[3];
+  uint8_t i;
+  bool front = fc_i128_sign(above) > 0;
+  doubt->x0 = doubt->y0 = 1;
+  doubt->x1 = doubt->y1 = 0;
+  if (fc_vector_bits(receiver->normal) <= 30 && fc_i128_bits(above) <= 62) {
+    /* (k - n.C)^2 against r^2 n.n, exact: 124 bits against 60 + 62 */
+    const int64_t *n = receiver->normal;
+    int64_t a = fc_i128_to_i64(above);
+    if (fc_i128_compare(fc_i128_mul(a, a), fc_i128_mul(radius * radius, fc_small_dot(n, n))) >= 0) return front;
+  }
+  length = fc_length(receiver->normal);
+  rise = fc_num_div(fc_num_from_abs(above), length); /* of the center over the plane, or below it */
+  if (front) {
+    dip = fc_num_compare(r, rise) > 0 ? fc_num_sub(r, rise) : fc_num_from_u64(0, 0);
+    /* clear of the plane by more than the values' errors */
+    if (dip.m == 0 && fc_num_compare(fc_num_sub(rise, r), fc_num_scale(r, -40)) > 0) return true;
+  } else {
+    if (fc_num_compare(rise, r) > 0 && fc_num_compare(fc_num_sub(rise, r), fc_num_scale(r, -40)) > 0) return false;
+    dip = fc_num_add(r, rise);
+  }
+  dip = fc_num_add(dip, fc_num_scale(r, -40));
+  /* T = C + n (k - n.C) / n.n, rounded */
+  foot = fc_num_div(rise, length);
+  for (i = 0; i < 3; i++) {
+    int64_t move = (int64_t)fc_num_round(fc_num_mul(foot, fc_num_from_u64(fc_abs64(receiver->normal[i]), 0)), 0);
+    t[i] = center[i] + ((receiver->normal[i] < 0) == front ? -move : move);
+    to_light[i] = t[i] - scan->frame->lights[i];
+  }
+  reach = fc_num_scale(fc_num_sqrt(fc_num_mul(fc_num_scale(r, 1), dip)), 1);
+  foot = fc_num_div(fc_num_mul(fc_num_mul(dip, fc_length(to_light)), length), fc_num_from_abs(receiver->height));
+  reach = fc_num_add(reach, fc_num_scale(foot, 1));
+  if (fc_num_compare(reach, fc_num_from_u64(1, 31)) >= 0 || fc_vector_bits(t) > 31)
+    reach = fc_num_from_u64(1, 32); /* everywhere */
+  (void)fc_ball_window(scan->frame, t, (int64_t)fc_num_round(reach, 0) + 4, doubt);
+  return true;
+}
+
+void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder) {
+  uint16_t row, column;
+  for (row = 0; row < scan->rows; row++)
+    for (column = 0; column < scan->columns; column++) {
+      uint32_t *bits = &scan->mask[row * scan->words + column / 32], bit = UINT32_C(1) << (column % 32);
+      if ((*bits & bit) && fc_scan_blocked(scan, row, column, kind, occluder)) fc_planar_darken(scan, row, column, bit);
+    }
+}
+
+/* Candidates for occluders, each asked to darken what it can. */
+static void cast_shadows(fc_scan *scan, const fc_planar *planar) {
+  fc_space space;
+  fc_cursor cursor;
+  space.scene = &scan->frame->scene;
+  space.memory = scan->frame->memory;
+  fc_cursor_start(&cursor, &space);
+  while (fc_cursor_next(&cursor)) {
+    uint16_t i;
+    for (i = 0; i < cursor.group.shapes.count; i++) {
+      fc_form form;
+      if ((uint16_t)(cursor.group.first + i) == scan->primitive) continue;
+      cursor.kind.fetch(&cursor.group, i, &form);
+      cursor.kind.shadow(scan, planar, &cursor.kind, &form);
+    }
+  }
+}
+
+/* Cosines of up to 32 pixels of a row: W and the numerator at the first. */
+static void cosines(const int32_t w[3], const int32_t dw[3], int32_t g, int32_t dg, uint8_t count, uint32_t *to) {
+  /* q = W.W / 2^30: components below 2^30, q below 2^32; 32 steps of rounded differences add up to an error of 2^10 or so */
+  uint32_t q = (uint32_t)((uint64_t)(fc_smul32(w[0], w[0]) + fc_smul32(w[1], w[1]) + fc_smul32(w[2], w[2])) >> 30);
+  int64_t square = fc_smul32(dw[0], dw[0]) + fc_smul32(dw[1], dw[1]) + fc_smul32(dw[2], dw[2]);
+  int64_t cross = fc_smul32(w[0], dw[0]) + fc_smul32(w[1], dw[1]) + fc_smul32(w[2], dw[2]);
+  uint32_t dq = (uint32_t)(uint64_t)fc_floor_shift64(2 * cross + square, 30), ddq = (uint32_t)(uint64_t)fc_floor_shift64(2 * square, 30);
+  uint32_t *end = to + count;
+  uint8_t a = 0; /* q 2^(2a) in 2^30 .. 2^32-1 */
+  uint32_t low = UINT32_C(1) << 30;
+  for (; to < end; to++) {
+    uint32_t c;
+    while (q < low && a < 14) {
+      low >>= 2;
+      a++;
+    }
+    while (q >> 2 >= low) {
+      low <<= 2;
+      a--;
+    }
+    c = q < low || g <= 0 ? 0 : (((uint32_t)g >> (14 - a)) * fc_rsqrt_q15(q << (2 * a))) >> 16;
+    *to = c > 65536 ? 65536 : c;
+    q += dq;
+    dq += ddq;
+    g += dg;
+  }
+}
+
+static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
+  uint16_t row;
+  uint8_t word, i;
+  for (row = 0; row < scan->rows; row++) {
+    for (word = 0; word < scan->words; word++) {
+      uint32_t bits = scan->mask[row * scan->words + word], c[32];
+      uint16_t column = (uint16_t)(32 * word);
+      uint8_t first = 0, count = 32;
+      int32_t w[3];
+      if (bits == 0) continue;
+      while (!(bits & 1)) {
+        bits >>= 1;
+        first++;
+      }
+      count = 0;
+      while (count < 32 && bits >> count != 0) count++;
+      column = (uint16_t)(column + first);
+      for (i = 0; i < 3; i++) w[i] = planar->w.at[i] + column * planar->w.dx[i] + row * planar->w.dy[i];
+      cosines(w, planar->w.dx, g->at + column * g->dx + row * g->dy, g->dx, count, c);
+      fc_scan_shade(scan, row, column, bits, c);
+    }
+  }
+}
+
+void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k) {
+  fc_planar planar;
+  cosine g;
+  uint16_t row;
+  uint8_t word, i;
+  bool any = false, away = fc_i128_sign(k) < 0, faces;
+  for (i = 0; i < 3; i++) planar.normal[i] = away ? -normal[i] : normal[i];
+  planar.k = away ? fc_i128_neg(k) : k;
+  planar.height = fc_i128_sub(planar.k, fc_i128_dot(planar.normal, scan->frame->lights));
+  faces = fc_i128_sign(planar.height) > 0;
+  for (row = 0; row < scan->rows; row++) {
+    for (word = 0; word < scan->words; word++) {
+      uint32_t *bits = &scan->mask[row * scan->words + word];
+      if (*bits == 0) continue;
+      if (!fc_scan_wants_light(scan, row, (uint16_t)(32 * word), *bits))
+        *bits = 0;
+      else if (!faces)
+        fc_scan_unlit(scan, row, (uint16_t)(32 * word), *bits);
+      else
+        any = true;
+    }
+  }
+  if (!any || !faces) return;
+  set_forms(scan, &planar, &g);
+  cast_shadows(scan, &planar);
+  shade(scan, &planar, &g);
+}

@@ -1,0 +1,49 @@
+/*
+ * Planar receivers under a point light, as affine forms of the pixel (pinhole: the eye is the origin).
+ *
+ * For a plane n.p = k, k > 0, and a light L: where the ray along D meets it, P = k D / (n.D), and
+ *   W = k D - (n.D) L = (n.D) (P - L)
+ * is affine in the pixel. So the line from the light through P is known without a division, and the
+ * cosine at P is (k - n.L) (n.D) / (|n| |W|).
+ */
+#ifndef FC_PLANAR_H
+#define FC_PLANAR_H
+
+#include <stdint.h>
+
+#include "cone.h"
+#include "i128.h"
+#include "scan.h"
+
+struct fc_planar {
+  int64_t normal[3]; /* towards the far side, seen from the eye; below 2^63 */
+  fc_i128 k;         /* > 0 */
+  fc_i128 height;    /* k - n.L > 0: the light is on the eye's side */
+  fc_sheaf w;        /* from the light to the points of the tile */
+};
+
+/* Shades the masked pixels of a tile on the plane n.p = k: facing, shadows, cosines. */
+void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k);
+
+/* Takes pixels of a mask word out of the light. */
+static inline void fc_planar_darken(fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
+  uint16_t word = (uint16_t)(column / 32);
+  scan->mask[row * scan->words + word] &= ~bits;
+  fc_scan_unlit(scan, row, (uint16_t)(32 * word), bits);
+}
+
+/*
+ * Whether a ball reaches the light's side of the receiver at all; false: it shadows nothing there.
+ *
+ * A line from the light that meets the ball is blocked at P if it meets it before P, and it does when the ball lies
+ * wholly on the light's side. If the ball dips below the plane by e, a line may pass P first and meet what is below
+ * afterwards; then P is within 2 sqrt(2 r e) + 2 e |L - T| / h of T, the ball's deepest point lifted to the plane, h
+ * the light's height. *doubt is a window around those points, empty when the ball does not dip.
+ */
+bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
+                          fc_window *doubt);
+
+/* Every masked pixel by the ray engine: for occluders without a fast form. */
+void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder);
+
+#endif

@@ -1,0 +1,101 @@
+/*
+ * Short arithmetic for inner loops: 32-bit products, and reciprocals by a table and one Newton step.
+ *
+ * Values and filters only: what is decided here is decided with the stated errors in mind. No division, no
+ * instruction that a Cortex-M0 lacks; the same bits on every machine.
+ */
+#ifndef FC_QUICK_H
+#define FC_QUICK_H
+
+#include <stdint.h>
+
+#include "bits.h"
+#include "fixcast/config.h"
+
+/* Chips whose multiplier has no high word: 64-bit products from four short ones. */
+#if !defined(FC_SHORT_MULTIPLIER) && (defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__))
+#define FC_SHORT_MULTIPLIER 1
+#endif
+
+/* a * b. */
+static inline uint64_t fc_mul32(uint32_t a, uint32_t b) {
+#ifdef FC_SHORT_MULTIPLIER
+  uint32_t a0 = a & 0xffffu, a1 = a >> 16, b0 = b & 0xffffu, b1 = b >> 16;
+  uint32_t low = a0 * b0, m1 = a1 * b0, m2 = a0 * b1, high = a1 * b1;
+  uint64_t middle = (uint64_t)m1 + m2;
+  return (((uint64_t)high << 32) | low) + (middle << 16);
+#else
+  return (uint64_t)a * b;
+#endif
+}
+
+static inline int64_t fc_smul32(int32_t a, int32_t b) {
+#ifdef FC_SHORT_MULTIPLIER
+  /* two's complement: the unsigned product, less 2^32 times the other factor for each negative one */
+  uint64_t p = fc_mul32((uint32_t)a, (uint32_t)b);
+  uint32_t high = (uint32_t)(p >> 32);
+  if (a < 0) high -= (uint32_t)b;
+  if (b < 0) high -= (uint32_t)a;
+  return fc_to_i64(((uint64_t)high << 32) | (uint32_t)p);
+#else
+  return (int64_t)a * b;
+#endif
+}
+
+/* floor(a b / 2^32). */
+static inline uint32_t fc_mulhi32(uint32_t a, uint32_t b) {
+#ifdef FC_SHORT_MULTIPLIER
+  uint32_t a0 = a & 0xffffu, a1 = a >> 16, b0 = b & 0xffffu, b1 = b >> 16;
+  uint32_t m = a1 * b0 + ((a0 * b0) >> 16); /* (2^16-1)^2 + 2^16-1 < 2^32 */
+  uint32_t n = a0 * b1 + (m & 0xffffu);
+  return a1 * b1 + (m >> 16) + (n >> 16);
+#else
+  return (uint32_t)(((uint64_t)a * b) >> 32);
+#endif
+}
+
+/* floor(a b / 2^32) for a up to 63 bits: the sum of the parts fits when |a b| < 2^95. */
+static inline int64_t fc_smul64hi(int64_t a, int32_t b) {
+  uint32_t low = (uint32_t)(uint64_t)a;
+  int32_t high = fc_to_i32((uint32_t)((uint64_t)a >> 32));
+  /* low * b with b signed: floor of its high word */
+  uint32_t p = fc_mulhi32(low, (uint32_t)b);
+  if (b < 0) p -= low;
+  return fc_smul32(high, b) + fc_to_i32(p);
+}
+
+extern const uint16_t fc_rsqrt_table[192], fc_recip_table[128];
+
+static inline uint16_t fc_read_table(const uint16_t *entry) {
+  uint16_t v;
+  FC_READ(&v, entry, sizeof v);
+  return v;
+}
+
+/* 1 / sqrt(x) for x = m / 2^32 in [1/4, 1): Q15 in 32768..65536; relative error below 2^-14. */
+static inline uint32_t fc_rsqrt_q15(uint32_t m) {
+  uint32_t y = fc_read_table(&fc_rsqrt_table[(m >> 24) - 64]);
+  /* y (3 - x y^2) / 2: y^2 Q30, kept as Q14; x Q16: x y^2 below 1.03, Q30 */
+  uint32_t xyy = (m >> 16) * ((y * y) >> 16);
+  return (y * (((3u << 30) + 0x8000u - xyy) >> 16)) >> 15;
+}
+
+/* 2^31 / m for m in 2^15 .. 2^16-1, relative error below 2^-15: 32768 .. 65536. */
+static inline uint32_t fc_recip_q31(uint32_t m) {
+  uint32_t r = fc_read_table(&fc_recip_table[(m >> 8) - 128]);
+  /* r (2 - m r): m r within 1 +- 2^-8 of 2^31 */
+  uint32_t rest = 0x8000u - m * r; /* (2 - m r) Q31 and a rounding; wraps to about 2^31 */
+  return (r * (rest >> 16) + (1u << 14)) >> 15;
+}
+
+/* sqrt(x) for x = m / 2^32 in [1/4, 1): Q32 (2^31 .. 2^32-1), off by less than 2^7. */
+static inline uint32_t fc_sqrt_q32(uint32_t m) {
+  uint32_t y = fc_rsqrt_q15(m), s = ((m >> 16) * y) >> 15; /* Q16 */
+  int32_t rest;
+  if (s > 0xffffu) s = 0xffffu;
+  rest = fc_to_i32(m - s * s); /* |rest| < 2^32 * 2 * 2^-12.5 */
+  /* + rest y / 2: Q32 * Q15 / 2, the factor cut by 2^4 to keep 32 bits */
+  return (s << 16) + (uint32_t)(fc_floor_shift32(fc_floor_shift32(rest, 4) * (int32_t)y, 12));
+}
+
+#endif

@@ -1,0 +1,394 @@
+/* Strips: tiles of each primitive in turn, and what their pixels have in common. */
+#include "scan.h"
+
+#include <string.h>
+
+#include "depth.h"
+#include "fixcast/error.h"
+#include "pixel.h"
+#include "shade.h"
+#include "tally.h"
+
+static const int64_t eye[3] = {0, 0, 0}; /* camera space */
+
+static fc_space space_of(const fc_frame *frame) {
+  fc_space space;
+  space.scene = &frame->scene;
+  space.memory = frame->memory;
+  return space;
+}
+
+/* ---- one pixel, by the ray engine ---- */
+
+/* Meets the primitive with the pixel's ray. */
+static bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_prepared *prepared, fc_root *root) {
+  fc_root roots[2];
+  fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
+  scan->at->kind.prepare(scan->form, eye, prepared);
+  if (scan->at->kind.test(prepared, d, roots) == 0) return false;
+  *root = roots[0];
+  return true;
+}
+
+bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
+  fc_prepared prepared;
+  fc_root root;
+  int64_t d[3];
+  uint16_t code, *depth = fc_scan_depth(scan, row, column);
+  FC_TALLY(FC_DECIDE_PIXEL, true);
+  if (!meet(scan, row, column, d, &prepared, &root) || fc_too_far(scan->frame, &root, d)) return false;
+  code = fc_depth_code(scan->frame, &root);
+  if (code < *depth) return false;
+  if (code == *depth) {
+    /* whatever is drawn there, or will be: the pixel goes to the nearest of all */
+    fc_space space = space_of(scan->frame);
+    if (fc_space_nearest(&space, eye, d, 0, UINT64_MAX, NULL) != scan->primitive) return false;
+  }
+  *depth = code;
+  return true;
+}
+
+void fc_scan_slowly(fc_scan *scan) {
+  uint16_t row, column;
+  for (row = 0; row < scan->rows; row++)
+    for (column = 0; column < scan->columns; column++)
+      if (fc_scan_exact(scan, row, column)) scan->mask[row * scan->words + column / 32] |= UINT32_C(1) << (column % 32);
+}
+
+/* The surface point behind a visible pixel. */
+static void surface_at(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_surface *surface) {
+  surface->at = *scan->at;
+  surface->form = *scan->form;
+  surface->primitive = scan->primitive;
+  surface->origin = eye;
+  surface->direction = d;
+  (void)meet(scan, row, column, d, &surface->prepared, &surface->root);
+  fc_surface_complete(surface);
+}
+
+bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column) {
+  fc_space space = space_of(scan->frame);
+  fc_surface surface;
+  int64_t d[3];
+  FC_TALLY(FC_DECIDE_LIT, true);
+  surface_at(scan, row, column, d, &surface);
+  return fc_light_reaches(scan->frame, &space, &surface, scan->frame->lights);
+}
+
+bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const fc_kind *kind, const fc_form *occluder) {
+  fc_surface surface;
+  fc_segment segment;
+  int64_t d[3];
+  uint8_t i;
+  FC_TALLY(FC_DECIDE_LIT, true);
+  surface_at(scan, row, column, d, &surface);
+  for (i = 0; i < 3; i++) {
+    segment.light[i] = scan->frame->lights[i];
+    segment.point[i] = surface.point[i];
+  }
+  segment.root = &surface.root;
+  segment.origin = eye;
+  segment.direction = d;
+  segment.point_error = 1;
+  segment.point_valid = surface.point_valid;
+  fc_segment_prepare(&segment);
+  return kind->blocked(occluder, &segment);
+}
+
+int8_t fc_scan_far(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t p, uint32_t error) {
+  /* near / z = p / 2^30 and |D| far = z |D| / F: within iff p^2 far^2 F^2 >= 2^60 near^2 |D|^2. As far_scale is
+   * near^2 2^60 / (far^2 F^2) times 2^(28 - far_shift): p^2 / 2^28 against |D|^2 far_scale. */
+  const fc_frame *frame = scan->frame;
+  int64_t d[3];
+  uint64_t squares, limit, have = fc_mul32(p, p) >> 8; /* p up to 2^30: below 2^52 */
+  uint8_t s = frame->far_shift;
+  if (frame->scene.far_limit == 0) return 1;
+  if (s == FC_FAR_EXACT) return 0;
+  fc_view_direction(frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
+  squares = (uint64_t)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) >> 30; /* below 3 * 2^60 */
+  limit = squares * frame->far_scale; /* 32 + 32 bits */
+  limit >>= s;
+  {
+    /* relative errors below 2^-27 in all, and 2 p error + error^2 from p */
+    uint64_t slack = (limit >> 26) + (((uint64_t)2 * p + error) * error >> 8) + 4;
+    if (have > limit + slack) return 1;
+    if (have + slack < limit) return -1;
+  }
+  return 0;
+}
+
+/* ---- depth ---- */
+
+void fc_coder_start(fc_coder *coder, const fc_frame *frame, int16_t drop, uint32_t p) {
+  /* p in 2^29 .. 2^30-1 with no drop is the highest octave, number 2^e_bits - 1 */
+  uint8_t e_bits = frame->depth_exponent_bits, m_bits = (uint8_t)(16 - e_bits);
+  int32_t octave = (INT32_C(1) << e_bits) - 1 - drop;
+  coder->low = UINT32_C(1) << 29;
+  coder->shift = (uint8_t)(29 - m_bits);
+  coder->half = UINT32_C(1) << (coder->shift - 1);
+  coder->base = (octave - 1) * (INT32_C(1) << m_bits);
+  fc_coder_follow(coder, frame, p);
+}
+
+void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, int64_t value, int64_t step,
+                    uint8_t gain, uint32_t error) {
+  uint32_t *mask = scan->mask + row * scan->words, bit = UINT32_C(1) << (first & 31), bits = 0;
+  uint16_t *depth = fc_scan_depth(scan, row, first), word = first >> 5, column;
+  int32_t begin = fc_high_word(value), end = fc_high_word(value + step * (last - first)), margin = (int32_t)error;
+  const int32_t limit = INT32_C(1) << (30 - gain);
+  fc_coder coder;
+  bool clip = scan->clip_far;
+  uint64_t at = (uint64_t)value;
+  if (begin < -margin && end < -margin) return;
+  if (clip) {
+    int32_t low = begin < end ? begin : end, high = begin < end ? end : begin;
+    if (high < limit && (uint32_t)(high + margin) << gain < scan->frame->far_low) return;
+    if (low > margin && (uint32_t)(low - margin) << gain > scan->frame->far_high) clip = false;
+  }
+  fc_coder_start(&coder, scan->frame, (int16_t)-gain, begin > 0 && begin < limit ? (uint32_t)begin : (uint32_t)limit - 1);
+  for (column = first; column <= last; column++, depth++, at += (uint64_t)step) {
+    int32_t p = fc_to_i32((uint32_t)(at >> 32)), code = -1;
+    bool shown = false;
+    if (p >= -margin) {
+      if (p > margin && p < limit) {
+        fc_coder_follow(&coder, scan->frame, (uint32_t)p);
+        code = fc_coder_code(&coder, (uint32_t)p, error);
+        if (clip) {
+          int8_t within = fc_scan_far(scan, row, column, (uint32_t)p << gain, error << gain);
+          if (within < 0) code = 0;
+          if (within == 0) code = -1;
+        }
+      }
+      if (code > *depth) {
+        *depth = (uint16_t)code;
+        shown = true;
+      } else if (code < 0 || code == *depth) {
+        shown = fc_scan_exact(scan, row, column);
+      }
+    }
+    if (shown) bits |= bit;
+    bit <<= 1;
+    if (bit == 0) {
+      mask[word++] |= bits;
+      bits = 0;
+      bit = 1;
+    }
+  }
+  if (bits != 0) mask[word] |= bits;
+}
+
+/* ---- colour ---- */
+
+static void fill(const fc_scan *scan, uint8_t *to, const uint8_t *bytes) {
+  to[0] = bytes[0];
+  to[1] = bytes[1];
+  if (scan->pixel_bytes == 3) to[2] = bytes[2];
+}
+
+void fc_scan_unlit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
+  uint8_t *to = fc_scan_pixel(scan, row, column);
+  for (; bits != 0; bits >>= 1, to += scan->pixel_bytes)
+    if (bits & 1) fill(scan, to, scan->tint.unlit);
+}
+
+void fc_scan_shade(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits, const uint32_t *cosine) {
+  const fc_tint *tint = &scan->tint;
+  uint8_t *to = fc_scan_pixel(scan, row, column), format = scan->target->format;
+  if (scan->target->lit != NULL) {
+    uint32_t *lit = scan->target->lit + (size_t)(scan->y - scan->strip + row) * scan->frame->width + scan->x + column;
+    uint32_t b;
+    for (b = bits; b != 0; b >>= 1, lit++)
+      if (b & 1) *lit = 1;
+  }
+  for (; bits != 0; bits >>= 1, to += scan->pixel_bytes, cosine++) {
+    uint32_t c, r, g, b;
+    if (!(bits & 1)) continue;
+    c = *cosine;
+    r = (tint->base[0] + tint->slope[0] * c) >> FC_TINT_BITS;
+    g = (tint->base[1] + tint->slope[1] * c) >> FC_TINT_BITS;
+    b = (tint->base[2] + tint->slope[2] * c) >> FC_TINT_BITS;
+    if (tint->clamp) {
+      if (r > tint->most[0]) r = tint->most[0];
+      if (g > tint->most[1]) g = tint->most[1];
+      if (b > tint->most[2]) b = tint->most[2];
+    }
+    if (format == FC_RGB888) {
+      to[0] = (uint8_t)r;
+      to[1] = (uint8_t)g;
+      to[2] = (uint8_t)b;
+    } else {
+      uint32_t packed = (r << 11) | (g << 5) | b;
+      to[format == FC_RGB565_BE ? 0 : 1] = (uint8_t)(packed >> 8);
+      to[format == FC_RGB565_BE ? 1 : 0] = (uint8_t)packed;
+    }
+  }
+}
+
+void fc_scan_shade_slowly(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
+  size_t at = (size_t)(scan->y - scan->strip + row) * scan->frame->width + scan->x + column;
+  fc_space space = space_of(scan->frame);
+  for (; bits != 0; bits >>= 1, column++, at++) {
+    fc_surface surface;
+    int64_t d[3];
+    uint8_t level[3];
+    uint32_t lit;
+    if (!(bits & 1)) continue;
+    surface_at(scan, row, column, d, &surface);
+    fc_shade(scan->frame, &space, &surface, scan->tint.most, level, &lit);
+    fc_pixel_put(scan->target->format, level, fc_scan_pixel(scan, row, column));
+    if (scan->target->lit != NULL) scan->target->lit[at] = lit;
+  }
+}
+
+bool fc_scan_wants_light(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
+  size_t at = (size_t)(scan->y - scan->strip + row) * scan->frame->width + scan->x + column;
+  uint32_t b;
+  if (scan->target->primitive != NULL) {
+    uint16_t *primitive = scan->target->primitive + at;
+    for (b = bits; b != 0; b >>= 1, primitive++)
+      if (b & 1) *primitive = scan->primitive;
+  }
+  if (scan->target->lit != NULL) {
+    uint32_t *lit = scan->target->lit + at;
+    for (b = bits; b != 0; b >>= 1, lit++)
+      if (b & 1) *lit = 0;
+  }
+  if (scan->light == FC_LIGHT_ONE) return true;
+  if (scan->light == FC_LIGHT_NONE)
+    fc_scan_unlit(scan, row, column, bits);
+  else
+    fc_scan_shade_slowly(scan, row, column, bits);
+  return false;
+}
+
+/* Reflectance times light, both Q15, in levels with FC_TINT_BITS of fraction, rounded; below 2^32 or it saturates. */
+static uint32_t levels(uint16_t reflectance, uint64_t light, uint8_t most, uint8_t down) {
+  /* 17 + 56 bits would overflow: lights that bright are cut */
+  uint64_t product;
+  if (light >> 40) return UINT32_MAX;
+  product = (uint64_t)reflectance * light >> 7;             /* Q23 */
+  if (product >> 40) return UINT32_MAX;
+  product = (product * most) >> down;
+  return product > UINT32_MAX ? UINT32_MAX : (uint32_t)product;
+}
+
+/* What the primitive's material makes of the light. */
+static void set_tint(fc_scan *scan) {
+  const fc_frame *frame = scan->frame;
+  fc_tint *tint = &scan->tint;
+  fc_material material;
+  uint16_t diffuse[3], ambient[3];
+  uint8_t i, level[3];
+  FC_READ(&material, frame->scene.materials + scan->form->material, sizeof material);
+  diffuse[0] = material.diffuse.r;
+  diffuse[1] = material.diffuse.g;
+  diffuse[2] = material.diffuse.b;
+  ambient[0] = frame->scene.ambient.r;
+  ambient[1] = frame->scene.ambient.g;
+  ambient[2] = frame->scene.ambient.b;
+  tint->clamp = false;
+  scan->light = frame->light;
+  for (i = 0; i < 3; i++) {
+    uint32_t unlit = levels(diffuse[i], ambient[i], tint->most[i], 0), most = (uint32_t)tint->most[i] << FC_TINT_BITS;
+    if (unlit > most) unlit = most;
+    tint->base[i] = unlit + (UINT32_C(1) << (FC_TINT_BITS - 1));
+    level[i] = (uint8_t)(tint->base[i] >> FC_TINT_BITS);
+    if (frame->light == FC_LIGHT_ONE) {
+      /* the cosine's 16 bits come off the slope; its half lost is 2^-8 level */
+      uint32_t slope = levels(diffuse[i], frame->light_level[i], tint->most[i], 15);
+      slope = (slope + 1) >> 1;
+      if (slope >= UINT32_C(0x8000)) {
+        scan->light = FC_LIGHT_MANY; /* too bright for 32 bits */
+        slope = 0;
+      }
+      tint->slope[i] = slope;
+      if (tint->base[i] + (slope << 16) >= most + (UINT32_C(1) << FC_TINT_BITS)) tint->clamp = true;
+    }
+  }
+  fc_pixel_put(scan->target->format, level, tint->unlit);
+}
+
+/* ---- strips ---- */
+
+static void draw(fc_scan *scan, const fc_window *box, uint16_t rows) {
+  int32_t y0 = box->y0, y1 = box->y1, x;
+  if (y0 < scan->strip) y0 = scan->strip;
+  if (y1 > (int32_t)scan->strip + rows - 1) y1 = (int32_t)scan->strip + rows - 1;
+  for (x = box->x0; x <= box->x1; x += FC_SCAN_WORDS * 32) {
+    int32_t columns = box->x1 - x + 1, y, high;
+    if (columns > FC_SCAN_WORDS * 32) columns = FC_SCAN_WORDS * 32;
+    scan->words = (uint8_t)((columns + 31) / 32);
+    high = FC_SCAN_WORDS;
+    while (high > FC_SCAN_ROWS || high * scan->words > FC_SCAN_WORDS) high /= 2;
+    scan->x = (uint16_t)x;
+    scan->columns = (uint16_t)columns;
+    for (y = y0; y <= y1; y += high) {
+      scan->y = (uint16_t)y;
+      scan->rows = (uint8_t)(y1 - y + 1 < high ? y1 - y + 1 : high);
+      scan->at->kind.draw(scan);
+    }
+  }
+}
+
+static void clear(const fc_frame *frame, const fc_target *target, uint16_t rows, uint8_t pixel_bytes) {
+  size_t i, pixels = (size_t)rows * frame->width;
+  uint16_t x, y;
+  uint8_t bytes[4];
+  fc_pixel_background(&frame->scene, target->format, bytes);
+  for (i = 0; i < pixels; i++) target->depth[i] = 0;
+  if (target->primitive != NULL)
+    for (i = 0; i < pixels; i++) target->primitive[i] = FC_PRIMITIVES_MAX;
+  if (target->lit != NULL)
+    for (i = 0; i < pixels; i++) target->lit[i] = 0;
+  for (y = 0; y < rows; y++) {
+    uint8_t *to = (uint8_t *)target->pixels + y * target->pitch_bytes;
+    for (x = 0; x < frame->width; x++, to += pixel_bytes) {
+      to[0] = bytes[0];
+      to[1] = bytes[1];
+      if (pixel_bytes == 3) to[2] = bytes[2];
+    }
+  }
+}
+
+int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+  int pixel_bytes;
+  if (frame == NULL || target == NULL || target->pixels == NULL || target->depth == NULL) return FC_ERR_NULL;
+  pixel_bytes = fc_format_bytes(target->format);
+  if (pixel_bytes < 0) return pixel_bytes;
+  if (rows < 1 || y >= frame->height || rows > frame->height - y ||
+      target->pitch_bytes < (size_t)frame->width * (size_t)pixel_bytes)
+    return FC_ERR_SIZE;
+  return pixel_bytes;
+}
+
+int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+  fc_space space;
+  fc_cursor cursor;
+  fc_scan scan;
+  int pixel_bytes = fc_render_check(frame, y, rows, target);
+  if (pixel_bytes < 0) return pixel_bytes;
+  space = space_of(frame);
+  scan.frame = frame;
+  scan.target = target;
+  scan.at = &cursor;
+  scan.strip = y;
+  scan.pixel_bytes = (uint8_t)pixel_bytes;
+  scan.clip_far = frame->scene.far_limit > 0;
+  fc_pixel_most(target->format, scan.tint.most);
+  clear(frame, target, rows, scan.pixel_bytes);
+  fc_cursor_start(&cursor, &space);
+  while (fc_cursor_next(&cursor)) {
+    for (scan.index = 0; scan.index < cursor.group.shapes.count; scan.index++) {
+      fc_form form;
+      fc_window box;
+      if (!cursor.kind.window(frame, &cursor.group, scan.index, &box)) continue;
+      if (box.y1 < (int32_t)y || box.y0 > (int32_t)y + rows - 1) continue;
+      cursor.kind.fetch(&cursor.group, scan.index, &form);
+      scan.form = &form;
+      scan.primitive = (uint16_t)(cursor.group.first + scan.index);
+      set_tint(&scan);
+      draw(&scan, &box, rows);
+    }
+  }
+  return FC_OK;
+}

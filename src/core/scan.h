@@ -1,0 +1,146 @@
+/*
+ * The scan engine: strips drawn a primitive at a time, by spans and forward differences.
+ *
+ * Fast forms decide what they can prove; a pixel that they leave open goes to fc_scan_exact or fc_scan_reached, which
+ * ask the ray engine's predicates. So the picture is the ray engine's by construction, wherever a form's
+ * error bound is right; tests hold the two equal.
+ */
+#ifndef FC_SCAN_H
+#define FC_SCAN_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "kind.h"
+#include "quick.h"
+#include "space.h"
+#include "view.h"
+
+/* Words of a tile's mask. */
+#define FC_SCAN_WORDS 64
+/* How the frame is lit: not at all; by one light that the fast forms can serve; otherwise, by fc_shade, pixel by pixel. */
+enum { FC_LIGHT_NONE, FC_LIGHT_ONE, FC_LIGHT_MANY };
+
+/* Most rows of a tile. */
+#define FC_SCAN_ROWS 16
+
+#define FC_TINT_BITS 23
+
+/* What a surface looks like under the frame's only light: level = floor((base + slope c) / 2^FC_TINT_BITS), c the
+ * cosine in Q16. */
+typedef struct fc_tint {
+  uint32_t base[3];  /* with the rounding half */
+  uint32_t slope[3]; /* below 2^15 */
+  uint8_t most[3];   /* the format's greatest levels */
+  bool clamp;        /* the sum may exceed them */
+  uint8_t unlit[4];  /* the pixel's bytes without the light */
+} fc_tint;
+
+/* A primitive being drawn into a rectangle of a strip. */
+struct fc_scan {
+  const fc_frame *frame;
+  const fc_target *target;
+  const fc_cursor *at; /* the primitive's table */
+  const fc_form *form;
+  uint16_t primitive, index; /* its number, and its place in the table */
+  uint16_t strip;      /* frame row of the target's row 0 */
+  uint16_t x, y;       /* the tile's first pixel, in the frame */
+  uint16_t columns;
+  uint8_t rows, words; /* words of mask a row */
+  uint8_t pixel_bytes;
+  uint8_t light;       /* FC_LIGHT_... */
+  bool clip_far;       /* the far limit may cut the primitive */
+  fc_tint tint;
+  uint32_t mask[FC_SCAN_WORDS]; /* bit i of word j of a row: pixel 32 j + i shows the primitive */
+};
+
+/* Depth codes along a row: what changes only when near / z crosses a power of two. */
+typedef struct fc_coder {
+  uint32_t low;  /* codes of p in low .. 2 low - 1 ... */
+  uint32_t half; /* 2^(shift-1) */
+  int32_t base;  /* ... are base + round(p / 2^shift) */
+  uint8_t shift;
+} fc_coder;
+
+/* For values p with near / z = p / 2^(30 + drop). */
+void fc_coder_start(fc_coder *coder, const fc_frame *frame, int16_t drop, uint32_t p);
+
+/* Follows p into its octave. */
+static inline void fc_coder_follow(fc_coder *coder, const fc_frame *frame, uint32_t p) {
+  while (p < coder->low && coder->shift > 1) {
+    coder->low >>= 1;
+    coder->half >>= 1;
+    coder->shift--;
+    coder->base -= INT32_C(1) << (16 - frame->depth_exponent_bits);
+  }
+  while (p >> 1 >= coder->low) {
+    coder->low <<= 1;
+    coder->half <<= 1;
+    coder->shift++;
+    coder->base += INT32_C(1) << (16 - frame->depth_exponent_bits);
+  }
+}
+
+/* The code of p (followed), or -1 when an error of `error` leaves it open. */
+static inline int32_t fc_coder_code(const fc_coder *coder, uint32_t p, uint32_t error) {
+  uint32_t up = p + coder->half, q = (up - error) >> coder->shift;
+  int32_t code = coder->base + (int32_t)q;
+  if (q != (up + error) >> coder->shift || code <= 1 || code >= UINT16_MAX) return -1;
+  return code;
+}
+
+/* The tile's depth at a column of a row. */
+static inline uint16_t *fc_scan_depth(const fc_scan *scan, uint16_t row, uint16_t column) {
+  return scan->target->depth + (size_t)(scan->y - scan->strip + row) * scan->frame->width + scan->x + column;
+}
+
+static inline uint8_t *fc_scan_pixel(const fc_scan *scan, uint16_t row, uint16_t column) {
+  return (uint8_t *)scan->target->pixels + (size_t)(scan->y - scan->strip + row) * scan->target->pitch_bytes +
+         (size_t)(scan->x + column) * scan->pixel_bytes;
+}
+
+/* Decides a pixel by the ray engine: true when the primitive is what it shows so far; its depth is then written. */
+bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column);
+
+/* Whether the light reaches the primitive there, by the ray engine. */
+bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column);
+
+/* far_shift of a frame whose far limit only the ray engine can tell. */
+#define FC_FAR_EXACT 255
+
+/* The checks that both engines' strips begin with: bytes of a pixel, or an error. */
+int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
+
+/* Depth tests of a row between two columns (inclusive), near / z affine: value / 2^(62 - gain) at `first`, off by at
+ * most error / 2^(30 - gain); pixels with a value below 0 are missed, the others hit for certain. Sets the row's mask. */
+void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, int64_t value, int64_t step,
+                    uint8_t gain, uint32_t error);
+
+/* Whether one occluder keeps the light from the primitive there, by the ray engine. */
+bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const fc_kind *kind, const fc_form *occluder);
+
+/* Every pixel of the tile by the ray engine: what a kind falls back to where its fast forms do not hold. */
+void fc_scan_slowly(fc_scan *scan);
+
+/* -1, 0, 1: near / z = p / 2^30, off by at most error / 2^30, lies beyond the far limit, too close to tell, within. */
+int8_t fc_scan_far(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t p, uint32_t error);
+
+/* Colours up to 32 pixels of a row whose mask bits are set, from cosines. */
+void fc_scan_shade(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits, const uint32_t *cosine);
+
+/* Colours as unlit. */
+void fc_scan_unlit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits);
+
+/* Shades pixels by the ray engine. */
+void fc_scan_shade_slowly(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits);
+
+/* Writes what else the target wants of visible pixels, and shades them where no fast form may; false when it has. */
+bool fc_scan_wants_light(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits);
+
+/* The direction of a tile's first pixel; one column adds *step to x, one row takes it from y. */
+static inline void fc_scan_direction(const fc_scan *scan, int64_t at[3], int64_t *step) {
+  fc_view_direction(scan->frame, scan->x, scan->y, at);
+  *step = INT64_C(2) << scan->frame->view.pixel_shift;
+}
+
+#endif

@@ -1,0 +1,79 @@
+/* The scan engine on infinite planes: 1 / z is affine, and the horizon is where its sign changes. */
+#include "planar.h"
+#include "scan_kinds.h"
+
+void fc_plane_draw(fc_scan *scan) {
+  const fc_placed_plane *placed = (const fc_placed_plane *)scan->at->group.memory + scan->index;
+  const int64_t *n = scan->form->u.plane.normal;
+  uint16_t row;
+  for (row = 0; row < scan->rows * scan->words; row++) scan->mask[row] = 0;
+  if (placed->gain == FC_GAIN_NONE) {
+    fc_scan_slowly(scan);
+  } else {
+    int64_t d[3], step, v, dx, dy;
+    fc_i128 scale = fc_i128_from_u64(placed->factor);
+    fc_scan_direction(scan, d, &step);
+    /* near / z = (n.D) near / (k F): n.D below 2^63, the factor 32 bits */
+    if (scan->form->u.plane.k < 0) scale = fc_i128_neg(scale);
+    v = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, n[0] * d[0] + n[1] * d[1] + n[2] * d[2]), placed->shift));
+    dx = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, n[0] * step), placed->shift));
+    dy = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, -n[1] * step), placed->shift));
+    for (row = 0; row < scan->rows; row++, v += dy)
+      fc_scan_affine(scan, row, 0, (uint16_t)(scan->columns - 1), v, dx, placed->gain, 3);
+  }
+  fc_planar_light(scan, n, fc_i128_from(scan->form->u.plane.k));
+}
+
+void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
+  fc_placed_plane *placed = memory;
+  uint16_t i;
+  for (i = 0; i < shapes->count; i++) {
+    fc_num factor, most;
+    int64_t d[3];
+    uint8_t j;
+    placed[i].gain = FC_GAIN_NONE;
+    if (placed[i].k == 0) continue;
+    factor = fc_num_mul(fc_num_from_u64(fc_abs64(placed[i].k), 0), fc_num_from_u64((uint64_t)frame->view.focal, 0));
+    factor = fc_num_div(fc_num_from_u64(frame->depth_near, 0), factor);
+    /* the greatest |near / z| of any pixel is below 2^(30 + gain - 30) */
+    fc_view_direction(frame, 0, 0, d);
+    most = fc_num_from_u64(0, 0);
+    for (j = 0; j < 3; j++)
+      most = fc_num_add(most, fc_num_mul(fc_num_from_u64(fc_abs32(placed[i].normal[j]), 0), fc_num_from_u64(fc_abs64(d[j]), 0)));
+    most = fc_num_mul(most, factor);
+    /* value = near / z times 2^(62 - gain), below 2^62 */
+    j = most.e + 63 <= 0 ? 0 : most.e + 63 > 20 ? FC_GAIN_NONE : (uint8_t)(most.e + 63);
+    /* factor = m 2^e: the top 32 bits, and n.D times it shifted to 2^(62 - gain) */
+    if (j != FC_GAIN_NONE && factor.e + 31 + 62 - j <= 0 && factor.e + 31 + 62 - j > -100) {
+      placed[i].factor = (uint32_t)(factor.m >> 31);
+      placed[i].shift = (uint8_t)-(factor.e + 31 + 62 - j);
+      placed[i].gain = j;
+    }
+  }
+}
+
+bool fc_plane_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box) {
+  (void)group;
+  (void)index;
+  box->x0 = box->y0 = 0;
+  box->x1 = frame->width - 1;
+  box->y1 = frame->height - 1;
+  return true;
+}
+
+void fc_plane_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
+  (void)receiver;
+  fc_planar_ask(scan, kind, form);
+}
+
+/* Whether a ball is on one side of the plane, and the light too: -1, 1; 0 when in doubt. */
+static int8_t side(const fc_form *form, const int64_t p[3], int64_t radius) {
+  fc_i128 value = fc_i128_sub(fc_i128_from(form->u.plane.k), fc_i128_dot(form->u.plane.normal, p));
+  fc_i128 reach = fc_i128_scale(fc_norm1(form->u.plane.normal), radius);
+  return fc_i128_compare(fc_i128_abs(value), reach) > 0 ? fc_i128_sign(value) : 0;
+}
+
+bool fc_plane_between(const fc_form *form, const int64_t light[3], const int64_t center[3], int64_t radius) {
+  int8_t ball = side(form, center, radius);
+  return ball == 0 || side(form, light, 0) != ball;
+}

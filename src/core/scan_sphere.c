@@ -1,0 +1,479 @@
+/* The scan engine on spheres: the silhouette and the depth from two forms along a row, light from one scalar a pixel. */
+#include "cone.h"
+#include "planar.h"
+#include "scan_kinds.h"
+
+/* ---- set-up, once a frame ---- */
+
+static uint16_t clamp_pixel(int32_t v, uint16_t size) { return v < 0 ? 0 : v >= size ? (uint16_t)(size - 1) : (uint16_t)v; }
+
+void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
+  fc_placed_sphere *placed = memory;
+  uint16_t i;
+  for (i = 0; i < shapes->count; i++) {
+    fc_placed_sphere *p = &placed[i];
+    int64_t c[3], power;
+    fc_window box;
+    fc_num factor;
+    c[0] = p->center[0];
+    c[1] = p->center[1];
+    c[2] = p->center[2];
+    p->seen = FC_SPHERE_HIDDEN;
+    if (!fc_ball_window(frame, c, p->radius, &box)) continue;
+    p->window.x0 = clamp_pixel(box.x0, frame->width);
+    p->window.x1 = clamp_pixel(box.x1, frame->width);
+    p->window.y0 = clamp_pixel(box.y0, frame->height);
+    p->window.y1 = clamp_pixel(box.y1, frame->height);
+    p->seen = FC_SPHERE_ODD;
+    p->beyond = 0;
+    if (frame->scene.far_limit > 0) {
+      fc_num farthest = fc_num_add(fc_length(c), fc_num_from_u64((uint64_t)p->radius, 0));
+      fc_num limit = fc_num_from_u64((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame));
+      p->beyond = fc_num_compare(fc_num_add(farthest, fc_num_scale(farthest, -40)), limit) >= 0;
+    }
+    /* 3 * 2^60 - 1: fits */
+    power = c[0] * c[0] + c[1] * c[1] + c[2] * c[2] - (int64_t)p->radius * p->radius;
+    if (c[2] <= p->radius || power <= 0) continue;
+    factor = fc_num_mul(fc_num_from_u64((uint64_t)power, 0), fc_num_from_u64((uint64_t)frame->view.focal, 0));
+    factor = fc_num_div(fc_num_from_u64(frame->depth_near, 0), factor);
+    p->factor = (uint32_t)(factor.m >> 31);
+    p->exponent = (int16_t)(factor.e + 31);
+    p->seen = FC_SPHERE_PLAIN;
+  }
+}
+
+bool fc_sphere_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box) {
+  const fc_placed_sphere *p = (const fc_placed_sphere *)group->memory + index;
+  (void)frame;
+  box->x0 = p->window.x0;
+  box->x1 = p->window.x1;
+  box->y0 = p->window.y0;
+  box->y1 = p->window.y1;
+  return p->seen != FC_SPHERE_HIDDEN;
+}
+
+/* ---- light ---- */
+
+/*
+ * Lambert's law from one scalar (lectures: n.l; the point is t D, the normal (P - C) / r). With the light at distance l of
+ * the center, s = (P - C).(L - C) / (r l) and h = r / l, the cosine at P is
+ *   (s - h) / sqrt(1 + h^2 - 2 s h),
+ * lit iff s > h; and s + s0 = (D.(L - C)) t / (r l) with s0 = C.(L - C) / (r l).
+ */
+typedef struct ball_light {
+  int32_t at, dx, dy;     /* D.(L - C) near / (F r l) at the tile's first pixel and its steps, times a power of two */
+  int16_t shift;          /* s + s0 = that * 2^31 / m / 2^(16 + shift) / 2^24, m the first 16 bits of p; less p's octave */
+  int32_t s0, h, sum;     /* Q24; sum = 1 + h^2 */
+  int32_t margin;         /* Q24: bound on the error of s */
+  bool refine;            /* 16 bits of p are not enough */
+  uint8_t occluders;      /* MANY: more than the list holds */
+  uint16_t occluder[8];
+} ball_light;
+
+enum { LIGHT_AWAY, LIGHT_FORMS, LIGHT_SLOW };
+#define MANY 255
+
+static void find_occluders(const fc_scan *scan, ball_light *light) {
+  fc_space space;
+  fc_cursor cursor;
+  space.scene = &scan->frame->scene;
+  space.memory = scan->frame->memory;
+  light->occluders = 0;
+  fc_cursor_start(&cursor, &space);
+  while (fc_cursor_next(&cursor)) {
+    uint16_t i;
+    for (i = 0; i < cursor.group.shapes.count; i++) {
+      fc_form form;
+      uint16_t primitive = (uint16_t)(cursor.group.first + i);
+      if (primitive == scan->primitive) continue;
+      cursor.kind.fetch(&cursor.group, i, &form);
+      if (!cursor.kind.between(&form, scan->frame->lights, scan->form->u.sphere.center, scan->form->u.sphere.radius))
+        continue;
+      if (light->occluders == FC_COUNT_OF(light->occluder)) {
+        light->occluders = MANY;
+        return;
+      }
+      light->occluder[light->occluders++] = primitive;
+    }
+  }
+}
+
+/* v * value as an integer times 2^exponent, rounded. */
+static int32_t times(fc_num value, int64_t v, int32_t exponent) {
+  int32_t r = (int32_t)fc_num_round(fc_num_mul(value, fc_num_from_u64(fc_abs64(v), 0)), exponent);
+  return v < 0 ? -r : r;
+}
+
+static uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop) {
+  const int64_t *c = scan->form->u.sphere.center;
+  int64_t d[3], step, l[3], at, most, center_light;
+  fc_num distance, radius = fc_num_from_u64((uint64_t)scan->form->u.sphere.radius, 0), unit, ratio;
+  int32_t shift;
+  uint8_t i;
+  fc_scan_direction(scan, d, &step);
+  for (i = 0; i < 3; i++) l[i] = scan->frame->lights[i] - c[i]; /* below 2^31 */
+  distance = fc_length(l);
+  ratio = fc_num_div(radius, distance); /* far below 2^24 at worst */
+  if (fc_num_compare(radius, distance) >= 0) return LIGHT_SLOW;
+  light->h = (int32_t)fc_num_round(ratio, 24);
+  if (light->h > (INT32_C(15) << 20)) return LIGHT_SLOW; /* so close that 1 + h^2 - 2 s h nearly vanishes */
+  light->sum = (1 << 24) + (int32_t)(((int64_t)light->h * light->h) >> 24);
+  unit = fc_num_mul(radius, distance);
+  center_light = fc_small_dot(c, l); /* 30 + 31 bits and two: below 2^63 */
+  if (fc_num_compare(fc_num_from_u64(fc_abs64(center_light), 0), fc_num_scale(unit, 6)) >= 0) return LIGHT_SLOW;
+  light->s0 = times(fc_num_div(fc_num_from_u64(1, 0), unit), center_light, 24);
+  light->refine = fc_abs32(light->s0) > (UINT32_C(12) << 24);
+  light->margin = (int32_t)((fc_abs32(light->s0) + (UINT32_C(1) << 24)) >> (light->refine ? 19 : 13)) + 64;
+  /* D below 2^29, l below 2^31: sums of three below 2^62 */
+  at = fc_small_dot(d, l);
+  most = (int64_t)fc_abs64(at) + (int64_t)fc_abs64(l[0] * step) * scan->columns + (int64_t)fc_abs64(l[1] * step) * scan->rows;
+  if (most <= 0) return LIGHT_SLOW;
+  unit = fc_num_div(fc_num_from_u64(scan->frame->depth_near, 0),
+                    fc_num_mul(unit, fc_num_from_u64((uint64_t)scan->frame->view.focal, 0)));
+  /* the greatest to 30 bits */
+  {
+    fc_num greatest = fc_num_mul(unit, fc_num_from_u64((uint64_t)most, 0));
+    shift = 30 - (greatest.e + 63);
+  }
+  light->at = times(unit, at, shift);
+  light->dx = times(unit, l[0] * step, shift);
+  light->dy = times(unit, -l[1] * step, shift);
+  shift -= 54 + drop;
+  if (shift < -200 || shift > 200) return LIGHT_SLOW;
+  light->shift = (int16_t)shift;
+  return LIGHT_FORMS;
+}
+
+/* The cosine in Q16 where near / z = p / 2^(30 + drop) and 2^octave <= p; -1: does not face the light; -2: in doubt. */
+static int32_t ball_cosine(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
+  uint32_t m = p >> (octave - 15), r = fc_recip_q31(m), g, low = UINT32_C(1) << 30;
+  /* along within 2^30, r within 2^16 */
+  int32_t s = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16), e;
+  int16_t down = (int16_t)(octave + light->shift);
+  uint8_t a = 0;
+  if (down < 0 || down > 31) return -2;
+  if (light->refine) {
+    /* times 1 + e with e = 1 - x r: |e| below 2^-13 */
+    int32_t rest = (INT32_C(1) << 30) - (int32_t)fc_mulhi32(p << (31 - octave), r << 15);
+    s += fc_floor_shift32(fc_floor_shift32(s, 17) * rest, 13);
+  }
+  s = fc_floor_shift32(s, (uint8_t)down) - light->s0;
+  e = s - light->h;
+  if (e < -light->margin) return -1;
+  if (e <= light->margin) return -2;
+  if (s > INT32_C(1) << 24) {
+    s = INT32_C(1) << 24;
+    e = s - light->h;
+  }
+  /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
+  g = (uint32_t)(light->sum - ((s >> 8) * (light->h >> 9) >> 6)) << 6;
+  while (g < low) {
+    g <<= 2;
+    a++;
+  }
+  e = (int32_t)(((uint32_t)(e >> 9) * fc_rsqrt_q15(g)) >> (15 - a));
+  return e > 65536 ? 65536 : e;
+}
+
+/* Whether an occluder in the list keeps the light away. */
+static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column) {
+  fc_space space;
+  fc_cursor cursor;
+  uint8_t i;
+  uint16_t index;
+  if (light->occluders == MANY) return !fc_scan_reached(scan, row, column);
+  space.scene = &scan->frame->scene;
+  space.memory = scan->frame->memory;
+  for (i = 0; i < light->occluders; i++) {
+    fc_form form;
+    if (!fc_cursor_find(&cursor, &space, light->occluder[i], &index)) continue;
+    cursor.kind.fetch(&cursor.group, index, &form);
+    if (fc_scan_blocked(scan, row, column, &cursor.kind, &form)) return true;
+  }
+  return false;
+}
+
+static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
+                      const uint32_t *p) {
+  uint32_t cosine[32], dark = 0, bit = 1, rest = bits, low = UINT32_C(1) << 31;
+  int32_t along = light->at + light->dx * column + light->dy * row;
+  uint8_t i, octave = 31;
+  for (i = 0; rest != 0; i++, rest >>= 1, bit <<= 1, along += light->dx) {
+    int32_t c;
+    if (!(rest & 1)) continue;
+    while (p[i] < low) {
+      low >>= 1;
+      octave--;
+    }
+    while (p[i] >> 1 >= low) {
+      low <<= 1;
+      octave++;
+    }
+    c = ball_cosine(light, along, p[i], octave);
+    if (c == -2) {
+      c = fc_scan_reached(scan, (uint16_t)row, (uint16_t)(column + i)) ? 0 : -1;
+    } else if (c >= 0 && light->occluders != 0 && occluded(scan, light, row, (uint16_t)(column + i))) {
+      c = -1;
+    }
+    if (c < 0) dark |= bit;
+    cosine[i] = (uint32_t)c;
+  }
+  if (dark != 0) fc_scan_unlit(scan, row, column, dark);
+  fc_scan_shade(scan, row, column, bits & ~dark, cosine);
+}
+
+/* ---- drawing ---- */
+
+/* What a row of the sphere needs. */
+typedef struct sphere_forms {
+  fc_cone cone;
+  int64_t b, b_dx;      /* C.W in units of sqrt(f) with 32 more bits */
+  int64_t least;        /* f beyond this: inside, and sqrt(f) is good */
+  uint32_t factor, error;
+  int16_t drop;
+  uint8_t lift;
+  bool clip;
+} sphere_forms;
+
+/* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each. */
+static uint32_t draw_word(const fc_scan *scan, const sphere_forms *ball, int64_t *f_at, int64_t *dx_at, int64_t *b_at,
+                          fc_coder *coder, uint16_t row, uint16_t column, uint8_t count, uint32_t *ps) {
+  uint64_t f = (uint64_t)*f_at, dx = (uint64_t)*dx_at, b = (uint64_t)*b_at;
+  const uint64_t dxx = (uint64_t)ball->cone.dxx, b_dx = (uint64_t)ball->b_dx;
+  const int32_t outside = fc_high_word(-ball->cone.error) - 1, inside = fc_high_word(ball->least) + 1;
+  uint16_t *depth = fc_scan_depth(scan, row, column);
+  uint32_t bits = 0, bit = 1;
+  uint8_t i;
+  for (i = 0; i < count; i++, depth++, bit <<= 1) {
+    int32_t high = fc_to_i32((uint32_t)(f >> 32));
+    if (high > inside) {
+      uint32_t m = (uint32_t)((f << ball->lift) >> 32), low = (uint32_t)f << ball->lift, p;
+      int32_t code;
+      uint8_t k = (uint8_t)(ball->lift >> 1);
+      while (m < UINT32_C(1) << 30) {
+        m = (m << 2) | (low >> 30);
+        low <<= 2;
+        k++;
+      }
+      p = fc_mulhi32((uint32_t)(b >> 32) + (fc_sqrt_q32(m) >> k), ball->factor);
+      fc_coder_follow(coder, scan->frame, p);
+      code = fc_coder_code(coder, p, ball->error);
+      ps[i] = p;
+      if (ball->clip) {
+        int8_t within = ball->drop < 0 || ball->drop > 31
+                            ? 0
+                            : fc_scan_far(scan, row, (uint16_t)(column + i), p >> ball->drop, ball->error + 1);
+        if (within <= 0) code = within < 0 ? 0 : -1;
+      }
+      if (code > *depth) {
+        *depth = (uint16_t)code;
+        bits |= bit;
+      } else if (code < 0 || code == *depth) {
+        if (fc_scan_exact(scan, row, (uint16_t)(column + i))) bits |= bit;
+      }
+    } else if (high >= outside) {
+      ps[i] = 0;
+      if (fc_scan_exact(scan, row, (uint16_t)(column + i))) bits |= bit;
+    }
+    f += dx;
+    dx += dxx;
+    b += b_dx;
+  }
+  *f_at = fc_to_i64(f);
+  *dx_at = fc_to_i64(dx);
+  *b_at = fc_to_i64(b);
+  return bits;
+}
+
+static void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere_forms *ball, int64_t *b_dy) {
+  const int64_t *c = scan->form->u.sphere.center;
+  int64_t d[3], step, unit;
+  fc_sheaf sheaf;
+  int16_t half;
+  uint8_t i;
+  fc_scan_direction(scan, d, &step);
+  for (i = 0; i < 3; i++) {
+    /* twice the direction: 30 bits */
+    sheaf.at[i] = (int32_t)(2 * d[i]);
+    sheaf.dx[i] = sheaf.dy[i] = 0;
+  }
+  sheaf.dx[0] = (int32_t)(2 * step);
+  sheaf.dy[1] = (int32_t)(-2 * step);
+  sheaf.error = 0;
+  fc_cone_setup(&ball->cone, c, scan->form->u.sphere.radius, 0, &sheaf, scan->columns, scan->rows);
+  /* f = disc 2^(scale - 64) with W = 2 D, so in units of sqrt(f) b is C.W 2^(scale / 2 - 32). |C| below 2^30, |W| below
+   * 2^30.8; the matrix holds an entry of at least |C|^2 / 3, so |C| 2^(scale / 2) is below 2^31.8: C.W 2^(scale / 2) is
+   * below 2^62.6, and its sum with sqrt(f) is below 2^31.6. */
+  half = (int16_t)(ball->cone.scale / 2);
+  unit = INT64_C(2) << half;
+  ball->b = fc_small_dot(c, d) * unit;
+  ball->b_dx = c[0] * step * unit;
+  *b_dy = -c[1] * step * unit;
+  /* near / z = (b + sqrt f) 2^(31 - scale / 2) factor 2^exponent */
+  ball->factor = placed->factor;
+  ball->drop = (int16_t)-(placed->exponent + 93 - half);
+  /* The greatest f, r^2 |W|^2 2^(scale - 64), is lifted to 64 bits. */
+  {
+    int32_t bits = 2 * fc_bits64((uint64_t)scan->form->u.sphere.radius) + 62 + ball->cone.scale - 64;
+    ball->lift = bits < 64 ? (uint8_t)((64 - (bits < 2 ? 2 : bits)) & ~1) : 0;
+    if (ball->lift > 30) ball->lift = 30;
+  }
+  /* From here on the form's own error moves sqrt(f) by less than 1. */
+  ball->least = ball->cone.error * (ball->cone.error / 4 + 1);
+  /* the root's error (64 after the lift), the form's, b's floor, and the factor's */
+  ball->error = (64u >> (ball->lift / 2)) + 6;
+}
+
+static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
+  sphere_forms ball;
+  ball_light light;
+  fc_coder coder;
+  int64_t b_dy;
+  uint16_t row;
+  uint8_t how = LIGHT_AWAY;
+  bool light_set = false;
+  set_ball(scan, placed, &ball, &b_dy);
+  ball.clip = placed->beyond;
+  fc_coder_start(&coder, scan->frame, ball.drop, UINT32_C(1) << 29);
+  for (row = 0; row < scan->rows; row++) {
+    int64_t f = ball.cone.f, dx = ball.cone.dx, b = ball.b;
+    uint16_t column;
+    for (column = 0; column < scan->columns; column = (uint16_t)(column + 32)) {
+      uint32_t ps[32], bits;
+      uint8_t count = scan->columns - column < 32 ? (uint8_t)(scan->columns - column) : 32;
+      bits = draw_word(scan, &ball, &f, &dx, &b, &coder, row, column, count, ps);
+      if (bits == 0 || !fc_scan_wants_light(scan, row, column, bits)) continue;
+      if (!light_set) {
+        how = set_light(scan, &light, ball.drop);
+        if (how == LIGHT_FORMS) find_occluders(scan, &light);
+        light_set = true;
+      }
+      if (how == LIGHT_FORMS)
+        light_row(scan, &light, row, column, bits, ps);
+      else
+        fc_scan_shade_slowly(scan, row, column, bits);
+    }
+    fc_cone_next_row(&ball.cone);
+    ball.b += b_dy;
+  }
+}
+
+void fc_sphere_draw(fc_scan *scan) {
+  const fc_placed_sphere *placed = (const fc_placed_sphere *)scan->at->group.memory + scan->index;
+  uint16_t row;
+  uint8_t word;
+  if (placed->seen == FC_SPHERE_PLAIN) {
+    draw_plain(scan, placed);
+    return;
+  }
+  for (row = 0; row < scan->rows * scan->words; row++) scan->mask[row] = 0;
+  fc_scan_slowly(scan);
+  for (row = 0; row < scan->rows; row++)
+    for (word = 0; word < scan->words; word++) {
+      uint32_t bits = scan->mask[row * scan->words + word];
+      if (bits != 0 && fc_scan_wants_light(scan, row, (uint16_t)(32 * word), bits))
+        fc_scan_shade_slowly(scan, row, (uint16_t)(32 * word), bits);
+    }
+}
+
+/* ---- shadows ---- */
+
+bool fc_sphere_between(const fc_form *form, const int64_t light[3], const int64_t center[3], int64_t radius) {
+  /* Is the sphere's center within the sum of the radii of the segment from the light to the ball's center? In units that
+   * make everything 15 bits, with two units of slack for the cuts. */
+  int64_t a[3], b[3];
+  int64_t aa, ab, bb, sum;
+  uint8_t i, bits, shift;
+  uint64_t most = (uint64_t)form->u.sphere.radius | (uint64_t)radius;
+  for (i = 0; i < 3; i++) {
+    a[i] = form->u.sphere.center[i] - light[i];
+    b[i] = center[i] - light[i];
+    most |= fc_abs64(a[i]) | fc_abs64(b[i]);
+  }
+  bits = fc_bits64(most);
+  shift = bits > 15 ? (uint8_t)(bits - 15) : 0;
+  for (i = 0; i < 3; i++) {
+    a[i] = fc_floor_shift64(a[i], shift);
+    b[i] = fc_floor_shift64(b[i], shift);
+  }
+  sum = (form->u.sphere.radius >> shift) + (radius >> shift) + 8;
+  aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; /* below 3 * 2^30 */
+  ab = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  bb = b[0] * b[0] + b[1] * b[1] + b[2] * b[2];
+  if (ab <= 0) return aa <= sum * sum;
+  if (ab >= bb) return aa - 2 * ab + bb <= sum * sum;
+  return aa - sum * sum <= 0 || (uint64_t)(aa - sum * sum) * (uint64_t)bb <= (uint64_t)ab * (uint64_t)ab; /* 64 bits */
+}
+
+/* W.(C - L) over a tile, in units of 2^32: positive where the sphere lies ahead of the light, seen along W. */
+typedef struct ahead_form {
+  int64_t at, dx, dy, margin;
+} ahead_form;
+
+static int64_t along_center(const int64_t center[3], const int32_t w[3]) {
+  return fc_smul64hi(center[0], w[0]) + fc_smul64hi(center[1], w[1]) + fc_smul64hi(center[2], w[2]);
+}
+
+/* 1: everywhere, -1: nowhere, 0: here and there. */
+static int8_t set_ahead(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], ahead_form *a) {
+  /* 31 + 30 bits, less 32; floors and W's error: 3 (1 + columns + rows) + |C - L|_1 error / 2^32 */
+  int64_t x, y, low, high;
+  a->at = along_center(center, receiver->w.at);
+  a->dx = along_center(center, receiver->w.dx);
+  a->dy = along_center(center, receiver->w.dy);
+  a->margin = 3 * ((int64_t)scan->columns + scan->rows + 2) + 2 * (int64_t)receiver->w.error;
+  x = a->dx * scan->columns;
+  y = a->dy * scan->rows;
+  low = a->at + (x < 0 ? x : 0) + (y < 0 ? y : 0);
+  high = a->at + (x > 0 ? x : 0) + (y > 0 ? y : 0);
+  if (low > a->margin) return 1;
+  return high < -a->margin ? -1 : 0;
+}
+
+void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
+  const int64_t *c = form->u.sphere.center;
+  int64_t center[3], radius = form->u.sphere.radius;
+  fc_cone cone;
+  fc_window doubt;
+  ahead_form ahead;
+  uint16_t row;
+  uint8_t i;
+  int8_t everywhere;
+  int32_t dark, lit;
+  for (i = 0; i < 3; i++) center[i] = c[i] - scan->frame->lights[i]; /* below 2^31 */
+  if (fc_i128_compare(fc_i128_dot(center, center), fc_i128_mul(radius, radius)) <= 0) {
+    fc_planar_ask(scan, kind, form); /* the light inside the sphere, or on it */
+    return;
+  }
+  everywhere = set_ahead(scan, receiver, center, &ahead);
+  if (everywhere < 0 || !fc_planar_faces_ball(scan, receiver, c, radius, &doubt)) return;
+  fc_cone_setup(&cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
+  dark = fc_high_word(cone.error) + 1;
+  lit = fc_high_word(-cone.error) - 1;
+  for (row = 0; row < scan->rows; row++) {
+    uint64_t f = (uint64_t)cone.f, dx = (uint64_t)cone.dx;
+    bool doubted = scan->y + row >= doubt.y0 && scan->y + row <= doubt.y1;
+    uint16_t column = 0;
+    uint8_t word;
+    for (word = 0; word < scan->words; word++) {
+      uint32_t bits = scan->mask[row * scan->words + word], bit = 1, darkened = 0;
+      uint8_t count = scan->columns - column < 32 ? (uint8_t)(scan->columns - column) : 32;
+      for (i = 0; i < count; i++, bit <<= 1, f += dx, dx += (uint64_t)cone.dxx) {
+        int32_t high = fc_to_i32((uint32_t)(f >> 32));
+        uint16_t x = (uint16_t)(column + i);
+        bool sure = high > dark;
+        if (high < lit || !(bits & bit)) continue;
+        if (sure && everywhere == 0) {
+          int64_t a = ahead.at + ahead.dx * x + ahead.dy * row;
+          if (a < -ahead.margin) continue;
+          sure = a > ahead.margin;
+        }
+        if (doubted && scan->x + x >= doubt.x0 && scan->x + x <= doubt.x1) sure = false;
+        if (sure || fc_scan_blocked(scan, row, x, kind, form)) darkened |= bit;
+      }
+      if (darkened != 0) fc_planar_darken(scan, row, column, darkened);
+      column = (uint16_t)(column + 32);
+    }
+    fc_cone_next_row(&cone);
+  }
+}
