@@ -167,6 +167,12 @@ def plain_face(face):
     return ["p 3"] + [join(point) for point in face]
 
 
+def s1b():
+    """S1's spheres alone, for the flash of a scene without planes."""
+    lines = header("S1b: S1 without its plane.")
+    return lines + LEVEL_CAMERA + bench_light() + bench_spheres()[:2 * len(SPHERES)]
+
+
 def s4():
     lines = header("S4: S2's 1016 triangles under S1's light, with hard shadows.")
     lines += LEVEL_CAMERA + bench_light()
@@ -214,8 +220,8 @@ def s5_field(cells, lit):
 
 
 def bench_only():
-    """{name: lines} of the scenes for tests/bench: S5, spheres, lit triangles and flat ones."""
-    scenes = {"s4": s4()}
+    """{name: lines} of the scenes for tests/bench; of S5: spheres, lit triangles, flat ones."""
+    scenes = {"s1b": s1b(), "s4": s4()}
     scenes.update((f"s5s{count}", s5_spheres(count)) for count in (1, 8, 64, 512))
     for cells in (5, 10, 21, 45):
         scenes[f"s5t{cells}"] = s5_field(cells, lit=True)

@@ -63,10 +63,12 @@ static function *functions; /* the first has address 0: what lies below all symb
 static size_t function_count;
 static uint64_t limit = UINT64_MAX, total, total_seen;
 static const char *out_path;
+static bool written;
 
 static void write_counts(bool limited) {
   FILE *out = fopen(out_path, "w");
   size_t i, r;
+  written = true;
   if (out == NULL) {
     fprintf(stderr, "count_plugin: cannot write %s\n", out_path);
     exit(2);
@@ -137,6 +139,7 @@ static void translated(qemu_plugin_id_t id, struct qemu_plugin_tb *tb) {
 static void ended(qemu_plugin_id_t id, void *user) {
   (void)id;
   (void)user;
+  if (written) return; /* the limit ended the program */
   settle();
   write_counts(false);
 }

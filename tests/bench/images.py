@@ -30,7 +30,8 @@ def execute(command, seconds=None, **options):
     except subprocess.TimeoutExpired:
         raise Failure(f"still running after {seconds:g} s: {' '.join(words)}") from None
     if run.returncode != 0:
-        raise Failure(f"exit code {run.returncode}: {' '.join(words)}\n{run.stdout}")
+        raise Failure(f"{words[0]} ended with exit code {run.returncode}:\n{run.stdout}\nThe command was: "
+                      f"{' '.join(words)}")
     return run.stdout
 
 

@@ -33,6 +33,7 @@ static int checked(int error) {
   return error < 0;
 }
 
+#ifndef DUMP
 /* Whether the core can do without the primitive numbers; the answer is known before anything is measured. */
 static int needs_primitive(void) {
   static uint8_t pixels[WIDTH * PIXEL_BYTES];
@@ -40,6 +41,7 @@ static int needs_primitive(void) {
   target.primitive = NULL;
   return RENDER_ROWS(&frame, 0, 1, &target) < 0;
 }
+#endif
 
 size_t renderer_prepare(void) {
   int error = FC_OK;

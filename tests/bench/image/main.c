@@ -10,6 +10,7 @@
 #define PUT(c) semihost_char(c)
 #else
 #include <stdio.h>
+#include <stdlib.h>
 #define PUT(c) ((void)putchar(c))
 #endif
 
@@ -65,7 +66,7 @@ static uint32_t crc32(uint32_t crc, const uint8_t *bytes, size_t count) {
 
 enum {
   PAINTED_BYTES = 16384,
-  SPARED_BYTES = 128, /* below the stack pointer, for the painter itself */
+  SPARED_BYTES = 64, /* below the stack pointer, for the painter itself */
   PAINT = 0xa5
 };
 
@@ -119,13 +120,27 @@ static int draw(uint32_t *crc) {
   return failed;
 }
 
-int main(void) {
-  uint32_t crc = UINT32_C(0xffffffff);
+/* How often to draw it: on the host, to take its time, as often as the argument says. */
+static uint32_t frames_wanted(int argc, char **argv) {
+#ifdef FIXCAST_BAREMETAL
+  (void)argc;
+  (void)argv;
+  return 1;
+#else
+  return argc == 2 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
+#endif
+}
+
+int main(int argc, char **argv) {
+  uint32_t crc = 0, frames = frames_wanted(argc, argv);
   const size_t ram_bytes = renderer_prepare();
   uint8_t *const top = stack_pointer();
   if (ram_bytes == 0) return 1;
   paint(top);
-  if (draw(&crc) != 0) return 1;
+  while (frames-- > 0) {
+    crc = UINT32_C(0xffffffff);
+    if (draw(&crc) != 0) return 1;
+  }
   put_line("stack_bytes ", used_below(top));
   put_line("ram_bytes ", ram_bytes);
   bench_put("crc 0x");

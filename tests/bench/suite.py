@@ -1,0 +1,246 @@
+"""`make bench`: every renderer on every scene and chip, counted and judged by the oracle, into one JSON file.
+
+suite.py [--work DIR] [--simulator FILE] [--only WORD...]
+
+Prints a table and writes DIR/bench.json. What takes more instructions than the limit is null there. Any wrong picture
+or failed build makes the exit code 1.
+"""
+import argparse
+import collections
+import concurrent.futures
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import threading
+import time
+import typing
+
+import accuracy
+import bench_scenes
+import counting
+import images
+import linkmap
+from images import Failure, Image, RENDERERS, ROOT
+
+QEMU_LIMIT = 4_000_000_000
+RP2040_LIMIT = 400_000_000  # a hundred times slower than QEMU
+SECONDS = 120  # for one run
+HOST_SECONDS = 0.2  # of drawing the same frame again and again, to time it
+PROFILES = ("exact", "fast", "half", "interlaced")  # by number: fc_options.profile
+
+CHIPS = ("m0plus", "m3", "m4", "m4f", "rv32")
+SPHERES = ("s5s1", "s5s8", "s5s64", "s5s512")
+LIT_FIELDS = ("s5t5", "s5t10", "s5t21", "s5t45")
+FLAT_FIELDS = ("s5f5", "s5f10", "s5f21", "s5f45")
+SIZES = ((64, 64), (240, 240), (320, 240))
+
+
+def plan():
+    """All images, those first that are looked at most."""
+    square = (128, 128)
+
+    def each(scenes, chips, renderers, sizes=(square,), opts=("-O2",)):
+        return [Image(chip, renderer, scene, *size, opt) for scene in scenes for size in sizes for chip in chips
+                for opt in opts for renderer in renderers]
+
+    todo = each(("s1", "s1r"), CHIPS, ("fixcast", "float", "double", "q16"))
+    todo += each(("s1", "s1r"), ("m4f",), ("scan_float",))
+    todo += each(("s1",), CHIPS, ("fixcast",), opts=("-Os", "-O3"))
+    todo += each(("s1",), ("m0plus", "m3"), ("fixcast-rays",))
+    todo += each(("s1b",), ("m0plus", "m3"), ("fixcast",))
+    todo += each(("s2",), CHIPS, ("fixcast", "float", "fixed"))
+    todo += each(("s4",), CHIPS, ("fixcast",))
+    todo += each(SPHERES, CHIPS, ("fixcast",))
+    todo += each(SPHERES, ("m0plus", "m3", "m4f"), ("float",)) + each(SPHERES, ("m0plus", "m3"), ("q16",))
+    todo += each(SPHERES, ("m4f",), ("scan_float",))
+    todo += each(LIT_FIELDS + FLAT_FIELDS, ("m0plus", "m3"), ("fixcast",))
+    todo += each(FLAT_FIELDS, ("m0plus", "m3"), ("fixed",)) + each(FLAT_FIELDS, ("m4f",), ("float",))
+    todo += each(("s1", "s1r", "s2", "s4", "s5s8", "s5t10"), ("m0plus", "m3"), ("fixcast",), SIZES)
+    todo += each(("s1", "s1r", "s2", "s4"), ("rp2040",), ("fixcast",), ((240, 240),))
+    todo += each(("s1",), ("rp2040",), ("fixcast", "q16", "float"))
+    todo += each(("s2",), ("rp2040",), ("fixcast", "fixed"))
+    return todo
+
+
+class Host(typing.NamedTuple):
+    """What a renderer's program says on the host: the right CRC, its errors, seconds a frame."""
+    crc: typing.Optional[str]
+    errors: dict
+    seconds: float
+
+
+def seconds_of(program):
+    """CPU seconds a frame takes on the host: of many frames in one process."""
+    frames = 1
+    while True:
+        process = subprocess.Popen([program, str(frames)], stdout=subprocess.DEVNULL)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        if process.returncode:
+            raise Failure(f"exit code {process.returncode}: {program}")
+        if usage.ru_utime >= HOST_SECONDS or frames >= 4096:
+            return usage.ru_utime / frames
+        frames *= 4
+
+
+class Suite:
+    def __init__(self, workshop):
+        self.workshop = workshop
+        self.failures, self.lock = [], threading.Lock()
+
+    def fail(self, sentence):
+        with self.lock:
+            self.failures.append(sentence[:800])
+
+    def judge(self, image):
+        """The Host of an image; its errors are None where something failed."""
+        try:
+            errors = accuracy.measure(self.workshop, image)
+            program, _, _ = self.workshop.build(image)
+            return Host(counting.run_on_host(program).get("crc"), errors, seconds_of(program))
+        except Failure as failure:
+            self.fail(f"{image.name()}: {failure}")
+            return Host(None, dict.fromkeys(accuracy.KEYS), 0)
+
+    def count(self, image, host):
+        """The row of an image."""
+        row = dict(scene=image.scene, size=f"{image.width}x{image.height}", target=image.target,
+                   opt=image.opt.strip("-"), renderer=image.renderer,
+                   profile=PROFILES[image.profile] if RENDERERS[image.renderer].core else None,
+                   instructions_per_pixel=None, cycles_per_pixel=None, flash_bytes=None, ram_bytes=None,
+                   stack_bytes=None, **host.errors, setup_instructions=None, crc=None, stages=None, libc_bytes=None,
+                   host_ratio=None)
+        try:
+            built = self.workshop.build(image)
+            counts = counting.count(image.target, built, self.workshop.work,
+                                    RP2040_LIMIT if image.target == "rp2040" else QEMU_LIMIT, SECONDS)
+        except Failure as failure:
+            self.fail(f"{image.name()}: {failure}")
+            return row
+        flash = linkmap.flash(linkmap.read(built[1]), built[2], self.workshop.work)
+        row.update(flash_bytes=flash["core"] + flash["libgcc"] + flash["libm"], libc_bytes=flash["libc"])
+        if counts.instructions is None:
+            return row
+        pixels = image.width * image.height
+        row.update(instructions_per_pixel=sum(counts.instructions.values()) / pixels,
+                   setup_instructions=counts.instructions["setup"], crc=counts.printed.get("crc"),
+                   stages={region: stages(functions, pixels) for region, functions in counts.functions.items()})
+        for key in ("ram_bytes", "stack_bytes"):
+            row[key] = int(counts.printed[key]) if key in counts.printed else None
+        if counts.cycles:
+            row["cycles_per_pixel"] = sum(counts.cycles.values()) / pixels
+        if host.crc is not None and row["crc"] != host.crc:
+            self.fail(f"{image.name()}: a wrong picture: CRC {row['crc']}, on the host {host.crc}")
+        return row
+
+
+def stages(functions, pixels):
+    """Instructions a pixel by the file they are in."""
+    sums = collections.Counter()
+    for name, count in functions.items():
+        sums[name.split(":")[0]] += count
+    return {name: round(count / pixels, 3) for name, count in sums.most_common()}
+
+
+def progress(done, of, started):
+    """A line on a terminal; nothing elsewhere."""
+    if not sys.stderr.isatty():
+        return
+    left = (time.monotonic() - started) / done * (of - done) if done else 0
+    print(f"\r\033[K{done} of {of}" + (f", about {left / 60:.1f} minutes left" if 0 < done < of else ""),
+          end="" if done < of else "\r\033[K", file=sys.stderr, flush=True)
+
+
+def run(suite, todo, jobs):
+    """The rows of all images, in their order."""
+    for scene in {image.scene for image in todo}:  # made here, lest two threads write the same file
+        suite.workshop.scenes.kind(scene)
+        suite.workshop.scenes.baked(scene)
+        if suite.workshop.scenes.kind(scene) != "other":
+            suite.workshop.scenes.for_rivals(scene)
+    counting.plugin(suite.workshop.work)
+    if any(image.target == "rp2040" for image in todo):
+        counting.rp2040js(suite.workshop.work)
+    on_host = {image: image._replace(target="host", opt="-O2") for image in todo}
+    frames = list(dict.fromkeys(on_host.values()))
+    started, steps = time.monotonic(), len(frames) + len(todo)
+    done = 0
+
+    def step(result):
+        nonlocal done
+        with suite.lock:
+            done += 1
+            progress(done, steps, started)
+        return result
+
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        hosts = dict(zip(frames, pool.map(lambda image: step(suite.judge(image)), frames)))
+        rows = list(pool.map(lambda image: step(suite.count(image, hosts[on_host[image]])), todo))
+    floats = {(frame.scene, frame.width, frame.height): host.seconds for frame, host in hosts.items() if frame.renderer == "float"}
+    for row, image in zip(rows, todo):
+        base = floats.get((image.scene, image.width, image.height))
+        if base:
+            row["host_ratio"] = round(hosts[on_host[image]].seconds / base, 2)
+    return rows
+
+
+def write_atomically(path, text):
+    fresh = path.with_suffix(f".{os.getpid()}")
+    fresh.write_text(text)
+    fresh.replace(path)
+
+
+def table(rows):
+    head = ("scene", "size", "target", "opt", "renderer", "instr/px", "cycles/px", "flash", "ram", "stack", "ids",
+            "shadows", "rmse", "max", "host/float")
+    keys = ("scene", "size", "target", "opt", "renderer", "instructions_per_pixel", "cycles_per_pixel", "flash_bytes",
+            "ram_bytes", "stack_bytes", "wrong_id", "wrong_shadow", "colour_rmse", "colour_max", "host_ratio")
+    digits = {"instructions_per_pixel": 1, "cycles_per_pixel": 1, "colour_rmse": 2, "colour_max": 1}
+
+    def text(row, key):
+        value = row[key]
+        return "-" if value is None else f"{value:.{digits[key]}f}" if key in digits else str(value)
+
+    lines = [head] + [tuple(text(row, key) for key in keys) for row in rows]
+    widths = [max(map(len, column)) for column in zip(*lines)]
+    return "\n".join("  ".join(word.ljust(width) if i < 5 else word.rjust(width)
+                               for i, (word, width) in enumerate(zip(line, widths))).rstrip() for line in lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--work", default=ROOT / "build/bench", metavar="DIR")
+    parser.add_argument("--simulator", default=ROOT / "build/fixcast", metavar="FILE")
+    parser.add_argument("--source", default=ROOT, metavar="DIR", help="the tree whose core is measured")
+    parser.add_argument("--jobs", type=int, default=2, metavar="N")
+    parser.add_argument("--only", nargs="+", default=[], metavar="WORD",
+                        help="only images of these scenes, targets or renderers, into part.json")
+    options = parser.parse_args()
+    work = pathlib.Path(options.work)
+    try:
+        workshop = images.Workshop(work, bench_scenes.Scenes(work, options.simulator), options.source, jobs=1)
+        suite = Suite(workshop)
+        todo = plan()
+        if not any("fc_render_rows_by_rays" in path.read_text() for path in workshop.source.glob("include/**/*.h")):
+            todo = [image for image in todo if image.renderer != "fixcast-rays"]
+        for kind in ("scene", "target", "renderer"):
+            words = {word for word in options.only if word in {getattr(image, kind) for image in plan()}}
+            todo = [image for image in todo if not words or getattr(image, kind) in words]
+        rows = run(suite, todo, options.jobs)
+    except Failure as failure:
+        print(f"bench: {failure}", file=sys.stderr)
+        return 2
+    out = work / ("part.json" if options.only else "bench.json")
+    write_atomically(out, json.dumps(rows, indent=1) + "\n")
+    print(table(rows))
+    print("-: more instructions than the limit allows, or not known there")
+    for sentence in suite.failures:
+        print(f"FAIL: {sentence}")
+    print(f"{len(rows)} rows, {len(suite.failures)} failures, written to {out}")
+    return 1 if suite.failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
