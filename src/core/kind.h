@@ -26,6 +26,7 @@ typedef struct fc_form {
     struct {
       int64_t normal[3]; /* below 2^30 */
       int64_t k;         /* normal . p = k, below 2^62 */
+      int32_t unit[3];   /* camera space only: normal / |normal|, Q30, within 2^-25 */
     } plane;
     struct {
       int64_t vertex[3][3];
@@ -110,8 +111,10 @@ struct fc_kind {
   void (*draw)(fc_scan *scan);
   /* Clears the mask of a planar receiver where the form keeps its light away (planar.h). */
   void (*shadow)(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form);
-  /* Whether the form might come between a light and some point of a ball; true when in doubt. */
-  bool (*between)(const fc_form *form, const int64_t light[3], const int64_t center[3], int64_t radius);
+  /* Whether the form might come between a light and some point of a ball that is seen from outside, and in which pixels;
+   * true when in doubt. The window is cut to the frame. */
+  bool (*between)(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
+                  int64_t radius, fc_window *window);
 };
 
 #endif

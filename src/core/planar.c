@@ -22,9 +22,28 @@ typedef struct cosine {
   int32_t at, dx, dy;
 } cosine;
 
-static int32_t value_of(fc_num factor, fc_i128 nd) {
-  int32_t v = (int32_t)fc_num_round(fc_num_mul(factor, fc_num_from_abs(nd)), 0);
+/* |v| to 2^-30. */
+static fc_quick quick_of(fc_i128 v) {
+  fc_i128 a = fc_i128_abs(v);
+  uint8_t bits = fc_i128_bits(a);
+  return bits <= 64 ? fc_quick_from(a.lo, 0) : fc_quick_from(fc_i128_floor_shift(a, (uint8_t)(bits - 64)).lo, (int16_t)(bits - 64));
+}
+
+static int32_t value_of(fc_quick factor, fc_i128 nd) {
+  int32_t v = fc_quick_to_int(fc_quick_mul(factor, quick_of(nd)), 0);
   return fc_i128_sign(nd) < 0 ? -v : v;
+}
+
+/* 1 / |n|, and n / |n| in Q30. */
+static fc_quick normalise(const int64_t n[3], int32_t unit[3]) {
+  /* cut to 30 bits: 2^-29, and a sum of squares below 2^62 */
+  uint8_t bits = fc_vector_bits(n), shift = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
+  int64_t small[3];
+  fc_quick inverse;
+  for (i = 0; i < 3; i++) small[i] = fc_floor_shift64(n[i], shift);
+  inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_small_dot(small, small), 0));
+  for (i = 0; i < 3; i++) unit[i] = fc_quick_times(inverse, small[i], 30);
+  return fc_quick_scale(inverse, (int16_t)-shift);
 }
 
 /* W and the cosine's numerator over the tile. */
@@ -32,7 +51,7 @@ static void set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
   const int64_t *light = scan->frame->lights;
   int64_t d[3], step;
   fc_i128 nd, ndx, ndy, at[3], dx[3], dy[3];
-  fc_num factor;
+  fc_quick factor;
   uint64_t most = 0;
   uint8_t i, bits = 0, shift;
   fc_scan_direction(scan, d, &step);
@@ -61,11 +80,19 @@ static void set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
     planar->w.dy[i] = cut(dy[i], shift);
   }
   planar->w.error = (uint32_t)scan->columns + scan->rows + 1;
-  factor = fc_num_div(fc_num_from_abs(planar->height), fc_length(planar->normal));
-  factor = fc_num_scale(factor, -(int32_t)shift);
+  factor = fc_quick_scale(fc_quick_mul(quick_of(planar->height), normalise(planar->normal, planar->unit)), (int16_t)-shift);
   g->at = value_of(factor, nd);
   g->dx = value_of(factor, ndx);
   g->dy = value_of(factor, ndy);
+}
+
+uint8_t fc_ball_to_plane(const int64_t n[3], int64_t a, int64_t radius) {
+  /* (k - n.C)^2 against r^2 n.n: below 2^124 and 2^122 */
+  fc_i128 have = fc_i128_mul(a, a), touch = fc_i128_mul(radius * radius, fc_small_dot(n, n));
+  if (fc_i128_compare(have, touch) >= 0) return FC_BALL_CLEAR;
+  /* a >= r |n| (1 - 2^-12) if a^2 >= r^2 n^2 (1 - 2^-12) */
+  touch = fc_i128_sub(touch, fc_i128_floor_shift(touch, 12));
+  return fc_i128_compare(have, touch) >= 0 ? FC_BALL_DIPS : FC_BALL_CUTS;
 }
 
 bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
@@ -81,7 +108,21 @@ bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const 
     /* (k - n.C)^2 against r^2 n.n, exact: 124 bits against 60 + 62 */
     const int64_t *n = receiver->normal;
     int64_t a = fc_i128_to_i64(above);
-    if (fc_i128_compare(fc_i128_mul(a, a), fc_i128_mul(radius * radius, fc_small_dot(n, n))) >= 0) return front;
+    uint8_t how = fc_ball_to_plane(n, a, radius);
+    if (how == FC_BALL_CLEAR) return front;
+    if (how == FC_BALL_DIPS && front) {
+      /* |L - T| / h below 2^q; the reach is then below r / 16 + 2^(q + 1) 2^-12 r */
+      int16_t q;
+      for (i = 0; i < 3; i++) {
+        t[i] = center[i] + fc_floor_shift64((int64_t)receiver->unit[i] * radius, 30);
+        to_light[i] = t[i] - scan->frame->lights[i];
+      }
+      q = (int16_t)(fc_vector_bits(to_light) + 1 + fc_vector_bits(n) + 1 - fc_i128_bits(receiver->height) + 1);
+      if (q <= 7) {
+        (void)fc_ball_window(scan->frame, t, (radius >> 4) + (radius >> (11 - (q < 0 ? 0 : q))) + 4, doubt);
+        return true;
+      }
+    }
   }
   length = fc_length(receiver->normal);
   rise = fc_num_div(fc_num_from_abs(above), length); /* of the center over the plane, or below it */

@@ -17,6 +17,7 @@
 
 struct fc_planar {
   int64_t normal[3]; /* towards the far side, seen from the eye; below 2^63 */
+  int32_t unit[3];   /* the same, Q30, within 2^-25 */
   fc_i128 k;         /* > 0 */
   fc_i128 height;    /* k - n.L > 0: the light is on the eye's side */
   fc_sheaf w;        /* from the light to the points of the tile */
@@ -24,6 +25,13 @@ struct fc_planar {
 
 /* Shades the masked pixels of a tile on the plane n.p = k: facing, shadows, cosines. */
 void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k);
+
+/*
+ * How a ball lies to a plane n . p = k, given the side of its center (a = k - n.C): clear of it, touching at most; dipping
+ * by no more than 2^-12 of its radius; or cutting it. |n| below 2^30, the radius too.
+ */
+enum { FC_BALL_CLEAR, FC_BALL_DIPS, FC_BALL_CUTS };
+uint8_t fc_ball_to_plane(const int64_t n[3], int64_t a, int64_t radius);
 
 /* Takes pixels of a mask word out of the light. */
 static inline void fc_planar_darken(fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {

@@ -92,6 +92,9 @@ static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
     form->u.plane.normal[1] = placed->normal[1];
     form->u.plane.normal[2] = placed->normal[2];
     form->u.plane.k = placed->k;
+    form->u.plane.unit[0] = placed->unit[0];
+    form->u.plane.unit[1] = placed->unit[1];
+    form->u.plane.unit[2] = placed->unit[2];
   } else {
     normal_of(&p, form->u.plane.normal);
     form->u.plane.k = -p.d * (INT64_C(1) << p.d_exponent); /* 30 + 32 bits */

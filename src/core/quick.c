@@ -33,3 +33,78 @@ const uint16_t fc_recip_table[128] FC_ROM = {
     37366, 37200, 37036, 36873, 36712, 36552, 36393, 36236, 36080, 35926, 35772, 35620,
     35470, 35320, 35172, 35026, 34880, 34735, 34592, 34450, 34309, 34169, 34031, 33893,
     33757, 33622, 33487, 33354, 33222, 33091, 32961, 32832};
+
+fc_quick fc_quick_from(uint64_t v, int16_t e) {
+  fc_quick r = {0, 0};
+  uint8_t bits = fc_bits64(v);
+  if (bits == 0) return r;
+  r.m = bits > 32 ? (uint32_t)(v >> (bits - 32)) : (uint32_t)v << (32 - bits);
+  r.e = (int16_t)(e + bits - 32);
+  return r;
+}
+
+fc_quick fc_quick_mul(fc_quick a, fc_quick b) {
+  fc_quick r;
+  r.m = fc_mulhi32(a.m, b.m);
+  r.e = (int16_t)(a.e + b.e + 32);
+  if (!(r.m >> 31)) {
+    /* at least 2^30 when neither is 0: the lost bit costs 2^-30 */
+    r.m <<= 1;
+    r.e--;
+  }
+  return r;
+}
+
+fc_quick fc_quick_recip(fc_quick a) {
+  /* x = m / 2^32 in [1/2, 1): r = 2^31 / m16, Q15 of 1 / x, 2^-14; one more Newton step on 31 bits */
+  fc_quick q;
+  uint32_t r = fc_recip_q31(a.m >> 16) << 15; /* Q30 of 1 / x: up to 2^31 */
+  uint32_t rest = fc_mulhi32(a.m, r);         /* Q30, 2^30 (1 +- 2^-14) */
+  int32_t e = (int32_t)(UINT32_C(1) << 30) - (int32_t)rest;
+  /* r (1 + e): |e| below 2^17, r >> 14 below 2^17 + 1: 34 bits, so e is cut to 14 */
+  int32_t add = fc_floor_shift32((int32_t)(r >> 16) * fc_floor_shift32(e, 2), 12);
+  r += (uint32_t)add;
+  q.m = r;
+  q.e = (int16_t)(-a.e - 62);
+  while (!(q.m >> 31)) {
+    q.m <<= 1;
+    q.e--;
+  }
+  return q;
+}
+
+fc_quick fc_quick_rsqrt(fc_quick a) {
+  /* even exponents: x = m / 2^32 in [1/4, 1) */
+  fc_quick q;
+  uint32_t m = a.m, y, rest;
+  int16_t e = (int16_t)(a.e + 32);
+  int32_t left, add;
+  if (e & 1) {
+    m >>= 1;
+    e++;
+  }
+  y = fc_rsqrt_q15(m);                        /* Q15, up to 2^16 */
+  rest = fc_mulhi32(m, y >> 16 ? UINT32_MAX : y * y); /* x y^2, Q30 */
+  left = (int32_t)(UINT32_C(1) << 30) - (int32_t)rest;
+  /* y (1 + left / 2): |left| below 2^17 */
+  y <<= 15;                                   /* Q30 */
+  add = fc_floor_shift32((int32_t)(y >> 16) * fc_floor_shift32(left, 2), 13);
+  q.m = y + (uint32_t)add;
+  q.e = (int16_t)(-30 - e / 2);
+  while (!(q.m >> 31)) {
+    q.m <<= 1;
+    q.e--;
+  }
+  return q;
+}
+
+int32_t fc_quick_to_int(fc_quick a, int16_t e) {
+  int16_t down = (int16_t)-(a.e + e);
+  if (a.m == 0 || down > 31) return 0;
+  return down < 1 ? INT32_MAX : (int32_t)(a.m >> down);
+}
+
+int32_t fc_quick_times(fc_quick a, int64_t v, int16_t e) {
+  int32_t r = fc_quick_to_int(fc_quick_mul(a, fc_quick_from(fc_abs64(v), 0)), e);
+  return v < 0 ? -r : r;
+}

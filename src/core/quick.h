@@ -7,6 +7,7 @@
 #ifndef FC_QUICK_H
 #define FC_QUICK_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "bits.h"
@@ -97,5 +98,35 @@ static inline uint32_t fc_sqrt_q32(uint32_t m) {
   /* + rest y / 2: Q32 * Q15 / 2, the factor cut by 2^4 to keep 32 bits */
   return (s << 16) + (uint32_t)(fc_floor_shift32(fc_floor_shift32(rest, 4) * (int32_t)y, 12));
 }
+
+/*
+ * Values m * 2^e with m in 2^31 .. 2^32-1, or 0: num.h's little sister for what need not be better than 2^-25. Relative
+ * errors: conversion and product below 2^-30, root and reciprocal below 2^-26.
+ */
+typedef struct fc_quick {
+  uint32_t m;
+  int16_t e;
+} fc_quick;
+
+fc_quick fc_quick_from(uint64_t v, int16_t e);
+fc_quick fc_quick_mul(fc_quick a, fc_quick b);
+fc_quick fc_quick_rsqrt(fc_quick a);
+fc_quick fc_quick_recip(fc_quick a);
+
+static inline bool fc_quick_less(fc_quick a, fc_quick b) {
+  if (a.m == 0 || b.m == 0) return a.m < b.m;
+  return a.e != b.e ? a.e < b.e : a.m < b.m;
+}
+
+static inline fc_quick fc_quick_scale(fc_quick a, int16_t e) {
+  a.e = (int16_t)(a.e + e);
+  return a;
+}
+
+/* floor(a 2^e), INT32_MAX when it does not fit. */
+int32_t fc_quick_to_int(fc_quick a, int16_t e);
+
+/* v a 2^e, cut towards 0; within +-INT32_MAX. */
+int32_t fc_quick_times(fc_quick a, int64_t v, int16_t e);
 
 #endif

@@ -143,17 +143,17 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
   if (clip) {
     int32_t low = begin < end ? begin : end, high = begin < end ? end : begin;
     if (high < limit && (uint32_t)(high + margin) << gain < scan->frame->far_low) return;
-    if (low > margin && (uint32_t)(low - margin) << gain > scan->frame->far_high) clip = false;
+    if (low >= limit || (low > margin && (uint32_t)(low - margin) << gain > scan->frame->far_high)) clip = false;
   }
-  fc_coder_start(&coder, scan->frame, (int16_t)-gain, begin > 0 && begin < limit ? (uint32_t)begin : (uint32_t)limit - 1);
+  fc_coder_start(&coder, scan->frame, (int16_t)-gain, begin > 0 ? (uint32_t)begin : 1);
   for (column = first; column <= last; column++, depth++, at += (uint64_t)step) {
     int32_t p = fc_to_i32((uint32_t)(at >> 32)), code = -1;
     bool shown = false;
     if (p >= -margin) {
-      if (p > margin && p < limit) {
+      if (p > margin) {
         fc_coder_follow(&coder, scan->frame, (uint32_t)p);
         code = fc_coder_code(&coder, (uint32_t)p, error);
-        if (clip) {
+        if (clip && p < limit) {
           int8_t within = fc_scan_far(scan, row, column, (uint32_t)p << gain, error << gain);
           if (within < 0) code = 0;
           if (within == 0) code = -1;
@@ -162,7 +162,7 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
       if (code > *depth) {
         *depth = (uint16_t)code;
         shown = true;
-      } else if (code < 0 || code == *depth) {
+      } else if (code < 0 || (code == *depth && code > 0)) {
         shown = fc_scan_exact(scan, row, column);
       }
     }

@@ -81,12 +81,12 @@ static inline void fc_coder_follow(fc_coder *coder, const fc_frame *frame, uint3
   }
 }
 
-/* The code of p (followed), or -1 when an error of `error` leaves it open. */
+/* The code of p (followed), or -1 when an error of `error` leaves it open. Values of 1 and more saturate. */
 static inline int32_t fc_coder_code(const fc_coder *coder, uint32_t p, uint32_t error) {
   uint32_t up = p + coder->half, q = (up - error) >> coder->shift;
   int32_t code = coder->base + (int32_t)q;
-  if (q != (up + error) >> coder->shift || code <= 1 || code >= UINT16_MAX) return -1;
-  return code;
+  if (q != (up + error) >> coder->shift || code <= 1) return -1;
+  return code > UINT16_MAX ? UINT16_MAX : code;
 }
 
 /* The tile's depth at a column of a row. */

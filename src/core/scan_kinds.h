@@ -15,7 +15,8 @@ typedef struct fc_placed_plane {
   int64_t k; /* normal . p = k */
   int32_t normal[3];
   uint32_t factor; /* near / z = (normal . D) factor / 2^shift / 2^(62 - gain); gain FC_GAIN_NONE: out of reach */
-  uint8_t shift, gain, unused[6]; /* 32 bytes on every machine: memory is a multiple of 8 */
+  int32_t unit[3];    /* normal / |normal|, Q30 */
+  uint8_t shift, gain, unused[2]; /* 40 bytes on every machine: memory is a multiple of 8 */
 } fc_placed_plane;
 
 typedef struct fc_placed_sphere {
@@ -30,25 +31,28 @@ typedef struct fc_placed_sphere {
 /* Not at all; in front of the eye and outside it, as the fast forms want it; some other way. */
 enum { FC_SPHERE_HIDDEN, FC_SPHERE_PLAIN, FC_SPHERE_ODD };
 
-typedef char fc_placed_is_whole[sizeof(fc_placed_plane) == 32 && sizeof(fc_placed_sphere) == 32 ? 1 : -1];
+typedef char fc_placed_is_whole[sizeof(fc_placed_plane) == 40 && sizeof(fc_placed_sphere) == 32 ? 1 : -1];
 
 void fc_plane_draw(fc_scan *scan);
 void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
 bool fc_plane_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box);
 void fc_plane_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form);
-bool fc_plane_between(const fc_form *form, const int64_t light[3], const int64_t center[3], int64_t radius);
+bool fc_plane_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
+                       int64_t radius, fc_window *window);
 
 void fc_sphere_draw(fc_scan *scan);
 void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
 bool fc_sphere_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box);
 void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form);
-bool fc_sphere_between(const fc_form *form, const int64_t light[3], const int64_t center[3], int64_t radius);
+bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
+                       int64_t radius, fc_window *window);
 
 void fc_triangle_draw(fc_scan *scan);
 void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
 bool fc_triangle_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box);
 void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form);
-bool fc_triangle_between(const fc_form *form, const int64_t light[3], const int64_t center[3], int64_t radius);
+bool fc_triangle_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
+                       int64_t radius, fc_window *window);
 
 void fc_triangle_fetch(const fc_group *group, uint16_t index, fc_form *form);
 /* (B - A) x (C - A): edges below 2^31, so each component is below 2^63. */

@@ -29,9 +29,13 @@ void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memo
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
     fc_num factor, most;
-    int64_t d[3];
+    fc_quick inverse;
+    int64_t d[3], n[3];
     uint8_t j;
     placed[i].gain = FC_GAIN_NONE;
+    for (j = 0; j < 3; j++) n[j] = placed[i].normal[j];
+    inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_small_dot(n, n), 0)); /* below 2^62 */
+    for (j = 0; j < 3; j++) placed[i].unit[j] = fc_quick_times(inverse, n[j], 30);
     if (placed[i].k == 0) continue;
     factor = fc_num_mul(fc_num_from_u64(fc_abs64(placed[i].k), 0), fc_num_from_u64((uint64_t)frame->view.focal, 0));
     factor = fc_num_div(fc_num_from_u64(frame->depth_near, 0), factor);
@@ -66,14 +70,23 @@ void fc_plane_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *ki
   fc_planar_ask(scan, kind, form);
 }
 
-/* Whether a ball is on one side of the plane, and the light too: -1, 1; 0 when in doubt. */
-static int8_t side(const fc_form *form, const int64_t p[3], int64_t radius) {
-  fc_i128 value = fc_i128_sub(fc_i128_from(form->u.plane.k), fc_i128_dot(form->u.plane.normal, p));
-  fc_i128 reach = fc_i128_scale(fc_norm1(form->u.plane.normal), radius);
-  return fc_i128_compare(fc_i128_abs(value), reach) > 0 ? fc_i128_sign(value) : 0;
-}
-
-bool fc_plane_between(const fc_form *form, const int64_t light[3], const int64_t center[3], int64_t radius) {
-  int8_t ball = side(form, center, radius);
-  return ball == 0 || side(form, light, 0) != ball;
+bool fc_plane_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
+                      int64_t radius, fc_window *window) {
+  /* 62 and 30 + 30 + 2 bits; lights of the scan engine are within 2^30 */
+  const int64_t *n = form->u.plane.normal;
+  int64_t ball = form->u.plane.k - fc_small_dot(n, center), lamp = form->u.plane.k - fc_small_dot(n, light), foot[3];
+  uint8_t how = fc_ball_to_plane(n, ball, radius), i;
+  window->x0 = window->y0 = 0;
+  window->x1 = frame->width - 1;
+  window->y1 = frame->height - 1;
+  if (how == FC_BALL_CUTS) return true;
+  /* the center is strictly on one side: a point of the ball there is kept from no light on that side, or on the plane */
+  if (fc_sign64(ball) * fc_sign64(lamp) < 0) return true;
+  if (how == FC_BALL_CLEAR) return false;
+  /* The part below the plane is within sqrt(2 r dip) < r / 32 of the foot of the center. */
+  for (i = 0; i < 3; i++) {
+    int64_t move = fc_floor_shift64((int64_t)form->u.plane.unit[i] * radius, 30);
+    foot[i] = center[i] + (ball < 0 ? -move : move);
+  }
+  return fc_ball_window(frame, foot, (radius >> 4) + 4, window);
 }

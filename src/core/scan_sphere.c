@@ -7,37 +7,41 @@
 
 static uint16_t clamp_pixel(int32_t v, uint16_t size) { return v < 0 ? 0 : v >= size ? (uint16_t)(size - 1) : (uint16_t)v; }
 
+static void set_window(const fc_frame *frame, const fc_window *box, fc_placed_window *window) {
+  window->x0 = clamp_pixel(box->x0, frame->width);
+  window->x1 = clamp_pixel(box->x1, frame->width);
+  window->y0 = clamp_pixel(box->y0, frame->height);
+  window->y1 = clamp_pixel(box->y1, frame->height);
+}
+
 void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
   fc_placed_sphere *placed = memory;
+  int64_t limit = (int64_t)fc_num_round(fc_num_from_u64((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame)), 0);
   uint16_t i;
+  limit = limit < 0 || limit > INT64_C(1) << 40 ? INT64_C(1) << 40 : limit - 1;
   for (i = 0; i < shapes->count; i++) {
     fc_placed_sphere *p = &placed[i];
-    int64_t c[3], power;
+    int64_t c[3], power, square;
     fc_window box;
-    fc_num factor;
+    fc_quick factor;
     c[0] = p->center[0];
     c[1] = p->center[1];
     c[2] = p->center[2];
     p->seen = FC_SPHERE_HIDDEN;
     if (!fc_ball_window(frame, c, p->radius, &box)) continue;
-    p->window.x0 = clamp_pixel(box.x0, frame->width);
-    p->window.x1 = clamp_pixel(box.x1, frame->width);
-    p->window.y0 = clamp_pixel(box.y0, frame->height);
-    p->window.y1 = clamp_pixel(box.y1, frame->height);
+    set_window(frame, &box, &p->window);
     p->seen = FC_SPHERE_ODD;
-    p->beyond = 0;
-    if (frame->scene.far_limit > 0) {
-      fc_num farthest = fc_num_add(fc_length(c), fc_num_from_u64((uint64_t)p->radius, 0));
-      fc_num limit = fc_num_from_u64((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame));
-      p->beyond = fc_num_compare(fc_num_add(farthest, fc_num_scale(farthest, -40)), limit) >= 0;
-    }
+    /* |C| + r beyond the limit, which is cut to whole units, or not: squares below 3 * 2^60 */
+    square = fc_small_dot(c, c);
+    p->beyond = frame->scene.far_limit > 0 &&
+                (limit <= p->radius || (limit < INT64_C(1) << 31 && square >= (limit - p->radius) * (limit - p->radius)));
     /* 3 * 2^60 - 1: fits */
-    power = c[0] * c[0] + c[1] * c[1] + c[2] * c[2] - (int64_t)p->radius * p->radius;
+    power = square - (int64_t)p->radius * p->radius;
     if (c[2] <= p->radius || power <= 0) continue;
-    factor = fc_num_mul(fc_num_from_u64((uint64_t)power, 0), fc_num_from_u64((uint64_t)frame->view.focal, 0));
-    factor = fc_num_div(fc_num_from_u64(frame->depth_near, 0), factor);
-    p->factor = (uint32_t)(factor.m >> 31);
-    p->exponent = (int16_t)(factor.e + 31);
+    factor = fc_quick_recip(fc_quick_mul(fc_quick_from((uint64_t)power, 0), fc_quick_from((uint64_t)frame->view.focal, 0)));
+    factor = fc_quick_mul(factor, fc_quick_from(frame->depth_near, 0));
+    p->factor = factor.m;
+    p->exponent = factor.e;
     p->seen = FC_SPHERE_PLAIN;
   }
 }
@@ -67,7 +71,10 @@ typedef struct ball_light {
   int32_t margin;         /* Q24: bound on the error of s */
   bool refine;            /* 16 bits of p are not enough */
   uint8_t occluders;      /* MANY: more than the list holds */
-  uint16_t occluder[8];
+  struct {
+    uint16_t primitive;
+    fc_placed_window window; /* pixels in which it may matter */
+  } occluder[8];
 } ball_light;
 
 enum { LIGHT_AWAY, LIGHT_FORMS, LIGHT_SLOW };
@@ -84,63 +91,64 @@ static void find_occluders(const fc_scan *scan, ball_light *light) {
     uint16_t i;
     for (i = 0; i < cursor.group.shapes.count; i++) {
       fc_form form;
+      fc_window box;
       uint16_t primitive = (uint16_t)(cursor.group.first + i);
       if (primitive == scan->primitive) continue;
       cursor.kind.fetch(&cursor.group, i, &form);
-      if (!cursor.kind.between(&form, scan->frame->lights, scan->form->u.sphere.center, scan->form->u.sphere.radius))
+      if (!cursor.kind.between(scan->frame, &form, scan->frame->lights, scan->form->u.sphere.center,
+                               scan->form->u.sphere.radius, &box))
         continue;
       if (light->occluders == FC_COUNT_OF(light->occluder)) {
         light->occluders = MANY;
         return;
       }
-      light->occluder[light->occluders++] = primitive;
+      light->occluder[light->occluders].primitive = primitive;
+      set_window(scan->frame, &box, &light->occluder[light->occluders].window);
+      light->occluders++;
     }
   }
-}
-
-/* v * value as an integer times 2^exponent, rounded. */
-static int32_t times(fc_num value, int64_t v, int32_t exponent) {
-  int32_t r = (int32_t)fc_num_round(fc_num_mul(value, fc_num_from_u64(fc_abs64(v), 0)), exponent);
-  return v < 0 ? -r : r;
 }
 
 static uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, l[3], at, most, center_light;
-  fc_num distance, radius = fc_num_from_u64((uint64_t)scan->form->u.sphere.radius, 0), unit, ratio;
-  int32_t shift;
+  uint64_t square = 0;
+  fc_quick near = fc_quick_from(1, 0), inverse, ratio, unit;
+  int16_t shift;
   uint8_t i;
   fc_scan_direction(scan, d, &step);
-  for (i = 0; i < 3; i++) l[i] = scan->frame->lights[i] - c[i]; /* below 2^31 */
-  distance = fc_length(l);
-  ratio = fc_num_div(radius, distance); /* far below 2^24 at worst */
-  if (fc_num_compare(radius, distance) >= 0) return LIGHT_SLOW;
-  light->h = (int32_t)fc_num_round(ratio, 24);
+  for (i = 0; i < 3; i++) {
+    l[i] = scan->frame->lights[i] - c[i];          /* below 2^31 */
+    square += (uint64_t)(l[i] * l[i]);             /* below 3 * 2^62 */
+  }
+  inverse = fc_quick_rsqrt(fc_quick_from(square, 0)); /* 1 / l */
+  ratio = fc_quick_mul(inverse, fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0));
+  if (square == 0 || !fc_quick_less(ratio, near)) return LIGHT_SLOW;
+  light->h = fc_quick_to_int(ratio, 24);
   if (light->h > (INT32_C(15) << 20)) return LIGHT_SLOW; /* so close that 1 + h^2 - 2 s h nearly vanishes */
-  light->sum = (1 << 24) + (int32_t)(((int64_t)light->h * light->h) >> 24);
-  unit = fc_num_mul(radius, distance);
+  light->sum = (INT32_C(1) << 24) + (int32_t)(fc_smul32(light->h, light->h) >> 24);
+  inverse = fc_quick_mul(inverse, fc_quick_recip(fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0))); /* 1 / (r l) */
   center_light = fc_small_dot(c, l); /* 30 + 31 bits and two: below 2^63 */
-  if (fc_num_compare(fc_num_from_u64(fc_abs64(center_light), 0), fc_num_scale(unit, 6)) >= 0) return LIGHT_SLOW;
-  light->s0 = times(fc_num_div(fc_num_from_u64(1, 0), unit), center_light, 24);
+  unit = fc_quick_mul(inverse, fc_quick_from(fc_abs64(center_light), 0));
+  if (!fc_quick_less(unit, fc_quick_from(64, 0))) return LIGHT_SLOW;
+  light->s0 = fc_quick_times(inverse, center_light, 24);
   light->refine = fc_abs32(light->s0) > (UINT32_C(12) << 24);
   light->margin = (int32_t)((fc_abs32(light->s0) + (UINT32_C(1) << 24)) >> (light->refine ? 19 : 13)) + 64;
-  /* D below 2^29, l below 2^31: sums of three below 2^62 */
+  /* D below 2^30, l below 2^31: sums of three below 2^63 */
   at = fc_small_dot(d, l);
-  most = (int64_t)fc_abs64(at) + (int64_t)fc_abs64(l[0] * step) * scan->columns + (int64_t)fc_abs64(l[1] * step) * scan->rows;
-  if (most <= 0) return LIGHT_SLOW;
-  unit = fc_num_div(fc_num_from_u64(scan->frame->depth_near, 0),
-                    fc_num_mul(unit, fc_num_from_u64((uint64_t)scan->frame->view.focal, 0)));
-  /* the greatest to 30 bits */
-  {
-    fc_num greatest = fc_num_mul(unit, fc_num_from_u64((uint64_t)most, 0));
-    shift = 30 - (greatest.e + 63);
-  }
-  light->at = times(unit, at, shift);
-  light->dx = times(unit, l[0] * step, shift);
-  light->dy = times(unit, -l[1] * step, shift);
-  shift -= 54 + drop;
+  most = (int64_t)fc_abs64(at) / 2 + (int64_t)fc_abs64(l[0] * step) / 2 * scan->columns +
+         (int64_t)fc_abs64(l[1] * step) / 2 * scan->rows + 1;
+  unit = fc_quick_mul(inverse, fc_quick_from(scan->frame->depth_near, 0));
+  unit = fc_quick_mul(unit, fc_quick_recip(fc_quick_from((uint64_t)scan->frame->view.focal, 0)));
+  /* the greatest along the tile to 30 bits */
+  ratio = fc_quick_mul(unit, fc_quick_from((uint64_t)most, 1));
+  shift = (int16_t)(29 - (ratio.e + 32));
+  light->at = fc_quick_times(unit, at, shift);
+  light->dx = fc_quick_times(unit, l[0] * step, shift);
+  light->dy = fc_quick_times(unit, -l[1] * step, shift);
+  shift = (int16_t)(shift - 54 - drop);
   if (shift < -200 || shift > 200) return LIGHT_SLOW;
-  light->shift = (int16_t)shift;
+  light->shift = shift;
   return LIGHT_FORMS;
 }
 
@@ -186,7 +194,10 @@ static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row,
   space.memory = scan->frame->memory;
   for (i = 0; i < light->occluders; i++) {
     fc_form form;
-    if (!fc_cursor_find(&cursor, &space, light->occluder[i], &index)) continue;
+    const fc_placed_window *window = &light->occluder[i].window;
+    if (scan->x + column < window->x0 || scan->x + column > window->x1 || scan->y + row < window->y0 ||
+        scan->y + row > window->y1 || !fc_cursor_find(&cursor, &space, light->occluder[i].primitive, &index))
+      continue;
     cursor.kind.fetch(&cursor.group, index, &form);
     if (fc_scan_blocked(scan, row, column, &cursor.kind, &form)) return true;
   }
@@ -268,7 +279,7 @@ static uint32_t draw_word(const fc_scan *scan, const sphere_forms *ball, int64_t
       if (code > *depth) {
         *depth = (uint16_t)code;
         bits |= bit;
-      } else if (code < 0 || code == *depth) {
+      } else if (code < 0 || (code == *depth && code > 0)) {
         if (fc_scan_exact(scan, row, (uint16_t)(column + i))) bits |= bit;
       }
     } else if (high >= outside) {
@@ -320,8 +331,8 @@ static void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere
   }
   /* From here on the form's own error moves sqrt(f) by less than 1. */
   ball->least = ball->cone.error * (ball->cone.error / 4 + 1);
-  /* the root's error (64 after the lift), the form's, b's floor, and the factor's */
-  ball->error = (64u >> (ball->lift / 2)) + 6;
+  /* the root's error (64 after the lift), the form's, b's floor, and the factor's 2^-27.4 of 2^32 */
+  ball->error = (64u >> (ball->lift / 2)) + 22;
 }
 
 static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
@@ -378,13 +389,17 @@ void fc_sphere_draw(fc_scan *scan) {
 
 /* ---- shadows ---- */
 
-bool fc_sphere_between(const fc_form *form, const int64_t light[3], const int64_t center[3], int64_t radius) {
-  /* Is the sphere's center within the sum of the radii of the segment from the light to the ball's center? In units that
-   * make everything 15 bits, with two units of slack for the cuts. */
+bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
+                       int64_t radius, fc_window *window) {
+  /* The hull of light and ball lies in a capsule and in a cone: the sphere misses it if it is clear of either. In units that
+   * make everything 15 bits, with some units of slack for the cuts. a: to the sphere, b: to the ball. */
   int64_t a[3], b[3];
-  int64_t aa, ab, bb, sum;
+  int64_t aa, ab, bb, own, other, sum;
   uint8_t i, bits, shift;
   uint64_t most = (uint64_t)form->u.sphere.radius | (uint64_t)radius;
+  window->x0 = window->y0 = 0;
+  window->x1 = frame->width - 1;
+  window->y1 = frame->height - 1;
   for (i = 0; i < 3; i++) {
     a[i] = form->u.sphere.center[i] - light[i];
     b[i] = center[i] - light[i];
@@ -392,17 +407,32 @@ bool fc_sphere_between(const fc_form *form, const int64_t light[3], const int64_
   }
   bits = fc_bits64(most);
   shift = bits > 15 ? (uint8_t)(bits - 15) : 0;
+  aa = ab = bb = 0; /* below 3 * 2^30 */
   for (i = 0; i < 3; i++) {
-    a[i] = fc_floor_shift64(a[i], shift);
-    b[i] = fc_floor_shift64(b[i], shift);
+    int32_t x = (int32_t)fc_floor_shift64(a[i], shift), y = (int32_t)fc_floor_shift64(b[i], shift);
+    aa += x * x;
+    ab += x * y;
+    bb += y * y;
   }
-  sum = (form->u.sphere.radius >> shift) + (radius >> shift) + 8;
-  aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; /* below 3 * 2^30 */
-  ab = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  bb = b[0] * b[0] + b[1] * b[1] + b[2] * b[2];
+  own = (form->u.sphere.radius >> shift) + 4;
+  other = (radius >> shift) + 4;
+  sum = own + other;
+  /* the capsule: the distance of the sphere's center from the segment */
   if (ab <= 0) return aa <= sum * sum;
-  if (ab >= bb) return aa - 2 * ab + bb <= sum * sum;
-  return aa - sum * sum <= 0 || (uint64_t)(aa - sum * sum) * (uint64_t)bb <= (uint64_t)ab * (uint64_t)ab; /* 64 bits */
+  if (ab >= bb) {
+    if (aa - 2 * ab + bb > sum * sum) return false;
+  } else if (aa > sum * sum && (uint64_t)(aa - sum * sum) * (uint64_t)bb > (uint64_t)ab * (uint64_t)ab) {
+    return false;
+  }
+  /* the cone: w cos > r_own + u sin, w and u across and along the axis, sin = r_other / |b|, squared and times b^4 */
+  if (bb <= other * other) return true;
+  {
+    uint64_t across = (uint64_t)aa * (uint64_t)bb, along = (uint64_t)ab * (uint64_t)ab;
+    uint64_t reach = (uint64_t)(own * bb + other * ab); /* 16 + 32 bits, two of them */
+    reach = (reach >> 17) + 1;
+    across = across > along ? (across - along) >> 34 : 0;
+    return across * (uint64_t)(bb - other * other) <= reach * reach; /* 30 + 32 bits and 32 + 32 */
+  }
 }
 
 /* W.(C - L) over a tile, in units of 2^32: positive where the sphere lies ahead of the light, seen along W. */

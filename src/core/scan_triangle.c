@@ -22,8 +22,12 @@ void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind 
   fc_planar_ask(scan, kind, form);
 }
 
-bool fc_triangle_between(const fc_form *form, const int64_t light[3], const int64_t center[3], int64_t radius) {
+bool fc_triangle_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
+                         int64_t radius, fc_window *window) {
   uint8_t i, j;
+  window->x0 = window->y0 = 0;
+  window->x1 = frame->width - 1;
+  window->y1 = frame->height - 1;
   for (j = 0; j < 3; j++) {
     int64_t low = light[j] < center[j] - radius ? light[j] : center[j] - radius;
     int64_t high = light[j] > center[j] + radius ? light[j] : center[j] + radius;
