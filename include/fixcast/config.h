@@ -14,12 +14,13 @@
  *
  * Everything constant that the core looks at (scenes, kinds of shape) is read through FC_READ, so that chips
  * whose flash is not in the data address space only need these two. Default: AVR's program memory on AVR,
- * plain memory elsewhere.
+ * plain memory elsewhere. Define FC_ROM_FAR with them where constant data cannot be read through a pointer.
  */
 #if defined(__AVR__) && !defined(FC_READ)
 #include <avr/pgmspace.h>
 #define FC_ROM PROGMEM
 #define FC_READ(to, from, bytes) ((void)memcpy_P((to), (from), (bytes)))
+#define FC_ROM_FAR
 #endif
 #ifndef FC_ROM
 #define FC_ROM

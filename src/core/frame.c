@@ -47,7 +47,7 @@ static void choose_grid(fc_frame *frame) {
   space.memory = NULL;
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) {
-    fc_num extent = cursor.kind.extent(&frame->view, &cursor.group.shapes);
+    fc_num extent = fc_kind_of(&cursor)->extent(&frame->view, &cursor.group.shapes);
     if (fc_num_compare(extent, most) > 0) most = extent;
   }
   shift = most.e + 63 - 30;
@@ -62,7 +62,7 @@ static void place_shapes(const fc_frame *frame, unsigned char *memory) {
   space.scene = &frame->scene;
   space.memory = NULL;
   fc_cursor_start(&cursor, &space);
-  while (fc_cursor_next(&cursor)) cursor.kind.place(&frame->view, &cursor.group.shapes, memory + cursor.bytes);
+  while (fc_cursor_next(&cursor)) fc_kind_of(&cursor)->place(&frame->view, &cursor.group.shapes, memory + cursor.bytes);
 }
 
 static int place_lights(const fc_frame *frame, int64_t *to) {
@@ -87,8 +87,8 @@ static void measure_depth(fc_frame *frame) {
     for (i = 0; i < cursor.group.shapes.count; i++) {
       fc_form form;
       uint64_t low = 0, high = 0;
-      cursor.kind.fetch(&cursor.group, i, &form);
-      if (!cursor.kind.depth_range(frame, &form, &low, &high)) continue;
+      fc_kind_of(&cursor)->fetch(&cursor.group, i, &form);
+      if (!fc_kind_of(&cursor)->depth_range(frame, &form, &low, &high)) continue;
       if (low < near) near = low;
       if (high > far) far = high;
     }
@@ -154,7 +154,7 @@ static void project_shapes(const fc_frame *frame) {
   space.memory = NULL;
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor))
-    cursor.kind.project(frame, &cursor.group.shapes, (unsigned char *)frame->memory + cursor.bytes);
+    fc_kind_of(&cursor)->project(frame, &cursor.group.shapes, (unsigned char *)frame->memory + cursor.bytes);
 }
 
 static int check_options(const fc_options *options) {

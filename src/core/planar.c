@@ -172,8 +172,8 @@ static void cast_shadows(fc_scan *scan, const fc_planar *planar) {
     for (i = 0; i < cursor.group.shapes.count; i++) {
       fc_form form;
       if ((uint16_t)(cursor.group.first + i) == scan->primitive) continue;
-      cursor.kind.fetch(&cursor.group, i, &form);
-      cursor.kind.shadow(scan, planar, &cursor.kind, &form);
+      fc_kind_of(&cursor)->fetch(&cursor.group, i, &form);
+      fc_kind_of(&cursor)->shadow(scan, planar, fc_kind_of(&cursor), &form);
     }
   }
 }

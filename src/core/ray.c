@@ -55,9 +55,9 @@ uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const 
       fc_prepared prepared;
       fc_root root[2], first;
       uint8_t count;
-      cursor.kind.fetch(&cursor.group, i, &form);
-      cursor.kind.prepare(&form, origin, &prepared);
-      count = cursor.kind.test(&prepared, direction, root);
+      fc_kind_of(&cursor)->fetch(&cursor.group, i, &form);
+      fc_kind_of(&cursor)->prepare(&form, origin, &prepared);
+      count = fc_kind_of(&cursor)->test(&prepared, direction, root);
       if (count == 0) continue;
       first = root[0];
       if (bounded && !first_within(root, count, t_min_q32, t_max_q32, &first)) continue;
@@ -88,8 +88,8 @@ void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
   hit->position.x = coordinate_at(t, surface->origin[0], surface->direction[0]);
   hit->position.y = coordinate_at(t, surface->origin[1], surface->direction[1]);
   hit->position.z = coordinate_at(t, surface->origin[2], surface->direction[2]);
-  if (surface->at.kind.weights != NULL)
-    surface->at.kind.weights(&surface->prepared, surface->direction, hit->barycentric_q30);
+  if (fc_kind_of(&surface->at)->weights != NULL)
+    fc_kind_of(&surface->at)->weights(&surface->prepared, surface->direction, hit->barycentric_q30);
   hit->primitive = surface->primitive;
   hit->object = surface->form.object;
   hit->inside = surface->inside;
@@ -147,7 +147,7 @@ int fc_offset(const fc_scene *scene_rom, const fc_hit *hit, int rule, int32_t ep
   space.scene = &scene;
   space.memory = NULL;
   if (!fc_cursor_find(&surface.at, &space, hit->primitive, &index)) return FC_ERR_INDEX;
-  surface.at.kind.fetch(&surface.at.group, index, &surface.form);
+  fc_kind_of(&surface.at)->fetch(&surface.at.group, index, &surface.form);
   surface.inside = hit->inside;
   /* normal_q30 is turned to the ray's side; a surface's own normal is not */
   surface.normal[0] = hit->inside ? -hit->normal_q30.x : hit->normal_q30.x;

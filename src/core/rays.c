@@ -121,6 +121,6 @@ uint16_t fc_object(const fc_frame *frame, uint16_t primitive) {
   fc_form form;
   uint16_t index;
   if (!fc_cursor_find(&cursor, &space, primitive, &index)) return 0;
-  cursor.kind.fetch(&cursor.group, index, &form);
+  fc_kind_of(&cursor)->fetch(&cursor.group, index, &form);
   return form.object;
 }

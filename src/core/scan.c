@@ -24,8 +24,8 @@ static fc_space space_of(const fc_frame *frame) {
 static bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_prepared *prepared, fc_root *root) {
   fc_root roots[2];
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
-  scan->at->kind.prepare(scan->form, eye, prepared);
-  if (scan->at->kind.test(prepared, d, roots) == 0) return false;
+  fc_kind_of(scan->at)->prepare(scan->form, eye, prepared);
+  if (fc_kind_of(scan->at)->test(prepared, d, roots) == 0) return false;
   *root = roots[0];
   return true;
 }
@@ -325,7 +325,7 @@ static void draw(fc_scan *scan, const fc_window *box, uint16_t rows) {
     for (y = y0; y <= y1; y += high) {
       scan->y = (uint16_t)y;
       scan->rows = (uint8_t)(y1 - y + 1 < high ? y1 - y + 1 : high);
-      scan->at->kind.draw(scan);
+      fc_kind_of(scan->at)->draw(scan);
     }
   }
 }
@@ -381,9 +381,9 @@ int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_ta
     for (scan.index = 0; scan.index < cursor.group.shapes.count; scan.index++) {
       fc_form form;
       fc_window box;
-      if (!cursor.kind.window(frame, &cursor.group, scan.index, &box)) continue;
+      if (!fc_kind_of(&cursor)->window(frame, &cursor.group, scan.index, &box)) continue;
       if (box.y1 < (int32_t)y || box.y0 > (int32_t)y + rows - 1) continue;
-      cursor.kind.fetch(&cursor.group, scan.index, &form);
+      fc_kind_of(&cursor)->fetch(&cursor.group, scan.index, &form);
       scan.form = &form;
       scan.primitive = (uint16_t)(cursor.group.first + scan.index);
       set_tint(&scan);

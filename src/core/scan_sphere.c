@@ -94,8 +94,8 @@ static void find_occluders(const fc_scan *scan, ball_light *light) {
       fc_window box;
       uint16_t primitive = (uint16_t)(cursor.group.first + i);
       if (primitive == scan->primitive) continue;
-      cursor.kind.fetch(&cursor.group, i, &form);
-      if (!cursor.kind.between(scan->frame, &form, scan->frame->lights, scan->form->u.sphere.center,
+      fc_kind_of(&cursor)->fetch(&cursor.group, i, &form);
+      if (!fc_kind_of(&cursor)->between(scan->frame, &form, scan->frame->lights, scan->form->u.sphere.center,
                                scan->form->u.sphere.radius, &box))
         continue;
       if (light->occluders == FC_COUNT_OF(light->occluder)) {
@@ -198,8 +198,8 @@ static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row,
     if (scan->x + column < window->x0 || scan->x + column > window->x1 || scan->y + row < window->y0 ||
         scan->y + row > window->y1 || !fc_cursor_find(&cursor, &space, light->occluder[i].primitive, &index))
       continue;
-    cursor.kind.fetch(&cursor.group, index, &form);
-    if (fc_scan_blocked(scan, row, column, &cursor.kind, &form)) return true;
+    fc_kind_of(&cursor)->fetch(&cursor.group, index, &form);
+    if (fc_scan_blocked(scan, row, column, fc_kind_of(&cursor), &form)) return true;
   }
   return false;
 }

@@ -9,7 +9,7 @@ void fc_surface_offset(const fc_surface *surface, int rule, int64_t epsilon, int
   uint8_t i;
   for (i = 0; i < 3; i++) point[i] = surface->point[i];
   if (rule == FC_OFFSET_RESIDUAL) {
-    surface->at.kind.step_off(&surface->form, surface->inside, point);
+    fc_kind_of(&surface->at)->step_off(&surface->form, surface->inside, point);
   } else if (rule == FC_OFFSET_EPSILON) {
     const int64_t *n = surface->normal;
     fc_num length = fc_length(n);
@@ -62,7 +62,7 @@ static bool reached(const fc_frame *frame, const fc_space *space, const fc_surfa
   segment->point[0] = surface->point[0];
   segment->point[1] = surface->point[1];
   segment->point[2] = surface->point[2];
-  if (!surface->at.kind.facing(&surface->form, &surface->prepared, segment)) return false;
+  if (!fc_kind_of(&surface->at)->facing(&surface->form, &surface->prepared, segment)) return false;
   if (frame->options.offset_rule == FC_OFFSET_EXACT) {
     fc_segment_prepare(segment);
     return !fc_space_blocked(space, segment, surface->primitive);

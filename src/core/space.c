@@ -14,11 +14,13 @@ void fc_cursor_start(fc_cursor *cursor, const fc_space *space) {
 
 bool fc_cursor_next(fc_cursor *cursor) {
   const fc_space *space = cursor->space;
-  if (cursor->table > 0) cursor->bytes += cursor->kind.memory(&cursor->group.shapes);
+  if (cursor->table > 0) cursor->bytes += fc_kind_of(cursor)->memory(&cursor->group.shapes);
   if (cursor->table == space->scene->shape_count) return false;
   cursor->group.first = (uint16_t)(cursor->group.first + cursor->group.shapes.count);
   FC_READ(&cursor->group.shapes, space->scene->shapes + cursor->table, sizeof cursor->group.shapes);
+#ifdef FC_ROM_FAR
   FC_READ(&cursor->kind, cursor->group.shapes.kind, sizeof cursor->kind);
+#endif
   cursor->group.memory = space->memory == NULL ? NULL : (const unsigned char *)space->memory + cursor->bytes;
   cursor->table++;
   return true;
@@ -84,8 +86,8 @@ bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t
     for (i = 0; i < cursor.group.shapes.count; i++) {
       fc_form form;
       if ((uint16_t)(cursor.group.first + i) == skip) continue;
-      cursor.kind.fetch(&cursor.group, i, &form);
-      if (cursor.kind.blocked(&form, segment)) return true;
+      fc_kind_of(&cursor)->fetch(&cursor.group, i, &form);
+      if (fc_kind_of(&cursor)->blocked(&form, segment)) return true;
     }
   }
   return false;
@@ -99,9 +101,9 @@ bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primit
   surface->primitive = primitive;
   surface->origin = origin;
   surface->direction = direction;
-  surface->at.kind.fetch(&surface->at.group, index, &surface->form);
-  surface->at.kind.prepare(&surface->form, origin, &surface->prepared);
-  if (surface->at.kind.test(&surface->prepared, direction, root) == 0) return false;
+  fc_kind_of(&surface->at)->fetch(&surface->at.group, index, &surface->form);
+  fc_kind_of(&surface->at)->prepare(&surface->form, origin, &surface->prepared);
+  if (fc_kind_of(&surface->at)->test(&surface->prepared, direction, root) == 0) return false;
   surface->root = root[0];
   return true;
 }
@@ -110,5 +112,5 @@ void fc_surface_complete(fc_surface *surface) {
   surface->point_valid =
       fc_point_at(fc_root_value(&surface->root), surface->origin, surface->direction, surface->point);
   surface->inside =
-      surface->at.kind.normal(&surface->form, &surface->prepared, surface->point, surface->normal) || surface->root.q > 0;
+      fc_kind_of(&surface->at)->normal(&surface->form, &surface->prepared, surface->point, surface->normal) || surface->root.q > 0;
 }

@@ -19,9 +19,19 @@ typedef struct fc_cursor {
   const fc_space *space;
   uint16_t table;
   size_t bytes; /* camera-space memory of the tables before this one */
-  fc_kind kind;
+#ifdef FC_ROM_FAR
+  fc_kind kind; /* a copy: functions are called through memory that can be read */
+#endif
   fc_group group;
 } fc_cursor;
+
+static inline const fc_kind *fc_kind_of(const fc_cursor *cursor) {
+#ifdef FC_ROM_FAR
+  return &cursor->kind;
+#else
+  return cursor->group.shapes.kind;
+#endif
+}
 
 void fc_cursor_start(fc_cursor *cursor, const fc_space *space);
 bool fc_cursor_next(fc_cursor *cursor);
