@@ -1,6 +1,6 @@
 # The front door for people. How things are built stands in CMakeLists.txt alone.
 .DEFAULT_GOAL := help
-.PHONY: help build demo test matrix report fuzz torture golden-update clean
+.PHONY: help build demo test matrix report bench bench-update fuzz torture golden-update clean
 BUILD := build
 FUZZ_SECONDS := 600
 MAKEFLAGS += --no-print-directory
@@ -37,6 +37,16 @@ report: ## measure every scene's accuracy and rewrite docs/REPORT.md
 	@.ci/install demo
 	@$(MAKE) build
 	@python3 host_sim/report.py $(BUILD)/fixcast docs/REPORT.md
+
+bench: ## count what frames cost on chips, ours and other renderers', into build/bench/bench.json (several minutes)
+	@.ci/install bench
+	@$(MAKE) build
+	@python3 tests/bench/suite.py --simulator $(BUILD)/fixcast --work $(BUILD)/bench --jobs $(JOBS)
+
+bench-update: ## rewrite tests/bench/recorded.txt: the counts that the test bench_s1 lets grow by 3 % at most
+	@.ci/install bench
+	@$(MAKE) build
+	@python3 tests/bench/recorded.py --simulator $(BUILD)/fixcast --work $(BUILD)/bench --update
 
 fuzz: ## search for inputs that break the core or the scene reader, FUZZ_SECONDS (600) each
 	@.ci/install fuzz
