@@ -82,17 +82,7 @@ static void measure_depth(fc_frame *frame) {
   space.scene = &frame->scene;
   space.memory = frame->memory;
   fc_cursor_start(&cursor, &space);
-  while (fc_cursor_next(&cursor)) {
-    uint16_t i;
-    for (i = 0; i < cursor.group.shapes.count; i++) {
-      fc_form form;
-      uint64_t low = 0, high = 0;
-      fc_kind_of(&cursor)->fetch(&cursor.group, i, &form);
-      if (!fc_kind_of(&cursor)->depth_range(frame, &form, &low, &high)) continue;
-      if (low < near) near = low;
-      if (high > far) far = high;
-    }
-  }
+  while (fc_cursor_next(&cursor)) fc_kind_of(&cursor)->depth_range(frame, &cursor.group, &near, &far);
   if (far == 0) near = far = 1; /* nothing to see */
   if (frame->scene.far_limit > 0) {
     uint64_t limit = fc_num_round(fc_num_from_u64((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame)), 0);

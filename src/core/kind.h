@@ -100,9 +100,9 @@ struct fc_kind {
   void (*step_off)(const fc_form *form, bool inside, int64_t point[3]);
   /* Barycentric weights of a hit, Q30; NULL where there are none. */
   void (*weights)(const fc_prepared *prepared, const int64_t direction[3], uint32_t weight_q30[3]);
-  /* Least and greatest camera z that can be seen; *near 0: may reach the eye's plane; *far UINT64_MAX: unbounded.
-   * False when the form cannot be seen. */
-  bool (*depth_range)(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far);
+  /* Widens *near .. *far to the camera z at which the table can be seen; *near 0: may reach the eye's plane;
+   * *far UINT64_MAX: unbounded. */
+  void (*depth_range)(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far);
   /* After the grid and the depth format are chosen: fills what the scan engine needs of the table's memory. */
   void (*project)(const fc_frame *frame, const fc_shapes *shapes, void *memory);
   /* The pixels that an item may touch, cut to the frame; false when there are none. */
@@ -115,6 +115,8 @@ struct fc_kind {
    * true when in doubt. The window is cut to the frame. */
   bool (*between)(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                   int64_t radius, fc_window *window);
+  /* Draws the items of a table (scan->at) that touch a strip of some rows. */
+  void (*strip)(fc_scan *scan, uint16_t rows);
 };
 
 #endif

@@ -149,7 +149,7 @@ static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
   fc_step_off_plane(form->u.plane.normal, fc_i128_from(form->u.plane.k), inside, point);
 }
 
-static bool depth_range(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far) {
+static bool item_range(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far) {
   /* 1/z is affine in the pixel, so the corner pixels hold its extremes; a corner that misses means the horizon
    * is in view, and z has no bound. */
 
@@ -174,6 +174,19 @@ static bool depth_range(const fc_frame *frame, const fc_form *form, uint64_t *ne
   return hits > 0;
 }
 
+static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
+  uint16_t i;
+  for (i = 0; i < group->shapes.count; i++) {
+    fc_form form;
+    uint64_t low = 0, high = 0;
+    fetch(group, i, &form);
+    if (!item_range(frame, &form, &low, &high)) continue;
+    if (low < *near) *near = low;
+    if (high > *far) *far = high;
+  }
+}
+
 const fc_kind fc_kind_plane FC_ROM = {
     check,    memory, extent,      place,            fetch,           prepare,       test,            blocked,        facing, normal,
-    step_off, NULL,   depth_range, fc_plane_project, fc_plane_window, fc_plane_draw, fc_plane_shadow, fc_plane_between};
+    step_off, NULL,   depth_range, fc_plane_project, fc_plane_window, fc_plane_draw, fc_plane_shadow, fc_plane_between,
+    fc_scan_each};

@@ -273,7 +273,7 @@ static uint32_t levels(uint16_t reflectance, uint64_t light, uint8_t most, uint8
 }
 
 /* What the primitive's material makes of the light. */
-static void set_tint(fc_scan *scan) {
+void fc_scan_tint(fc_scan *scan) {
   const fc_frame *frame = scan->frame;
   fc_tint *tint = &scan->tint;
   fc_material material;
@@ -361,6 +361,22 @@ int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_t
   return pixel_bytes;
 }
 
+void fc_scan_each(fc_scan *scan, uint16_t rows) {
+  const fc_group *group = &scan->at->group;
+  const fc_kind *kind = fc_kind_of(scan->at);
+  for (scan->index = 0; scan->index < group->shapes.count; scan->index++) {
+    fc_form form;
+    fc_window box;
+    if (!kind->window(scan->frame, group, scan->index, &box)) continue;
+    if (box.y1 < (int32_t)scan->strip || box.y0 > (int32_t)scan->strip + rows - 1) continue;
+    kind->fetch(group, scan->index, &form);
+    scan->form = &form;
+    scan->primitive = (uint16_t)(group->first + scan->index);
+    fc_scan_tint(scan);
+    draw(scan, &box, rows);
+  }
+}
+
 int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
   fc_space space;
   fc_cursor cursor;
@@ -377,18 +393,6 @@ int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_ta
   fc_pixel_most(target->format, scan.tint.most);
   clear(frame, target, rows, scan.pixel_bytes);
   fc_cursor_start(&cursor, &space);
-  while (fc_cursor_next(&cursor)) {
-    for (scan.index = 0; scan.index < cursor.group.shapes.count; scan.index++) {
-      fc_form form;
-      fc_window box;
-      if (!fc_kind_of(&cursor)->window(frame, &cursor.group, scan.index, &box)) continue;
-      if (box.y1 < (int32_t)y || box.y0 > (int32_t)y + rows - 1) continue;
-      fc_kind_of(&cursor)->fetch(&cursor.group, scan.index, &form);
-      scan.form = &form;
-      scan.primitive = (uint16_t)(cursor.group.first + scan.index);
-      set_tint(&scan);
-      draw(&scan, &box, rows);
-    }
-  }
+  while (fc_cursor_next(&cursor)) fc_kind_of(&cursor)->strip(&scan, rows);
   return FC_OK;
 }

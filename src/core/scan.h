@@ -99,6 +99,9 @@ static inline uint8_t *fc_scan_pixel(const fc_scan *scan, uint16_t row, uint16_t
          (size_t)(scan->x + column) * scan->pixel_bytes;
 }
 
+/* Sets light and tint for scan->form's material. */
+void fc_scan_tint(fc_scan *scan);
+
 /* Decides a pixel by the ray engine: true when the primitive is what it shows so far; its depth is then written. */
 bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column);
 

@@ -33,6 +33,9 @@ enum { FC_SPHERE_HIDDEN, FC_SPHERE_PLAIN, FC_SPHERE_ODD };
 
 typedef char fc_placed_is_whole[sizeof(fc_placed_plane) == 40 && sizeof(fc_placed_sphere) == 32 ? 1 : -1];
 
+/* A table's strip, an item after the other. */
+void fc_scan_each(fc_scan *scan, uint16_t rows);
+
 void fc_plane_draw(fc_scan *scan);
 void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
 bool fc_plane_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box);

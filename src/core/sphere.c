@@ -351,15 +351,22 @@ static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
   }
 }
 
-static bool depth_range(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far) {
-  int64_t z = form->u.sphere.center[2], r = form->u.sphere.radius;
+static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
+  uint16_t i;
   (void)frame;
-  if (z + r <= 0) return false;
-  *near = z - r > 0 ? (uint64_t)(z - r) : 0;
-  *far = (uint64_t)(z + r);
-  return true;
+  for (i = 0; i < group->shapes.count; i++) {
+    fc_form form;
+    int64_t z, r;
+    fetch(group, i, &form);
+    z = form.u.sphere.center[2];
+    r = form.u.sphere.radius;
+    if (z + r <= 0) continue;
+    if (z - r <= 0 || (uint64_t)(z - r) < *near) *near = z - r > 0 ? (uint64_t)(z - r) : 0;
+    if ((uint64_t)(z + r) > *far) *far = (uint64_t)(z + r);
+  }
 }
 
 const fc_kind fc_kind_sphere FC_ROM = {
     check,    memory, extent,      place,             fetch,            prepare,        test,             blocked,         facing, normal,
-    step_off, NULL,   depth_range, fc_sphere_project, fc_sphere_window, fc_sphere_draw, fc_sphere_shadow, fc_sphere_between};
+    step_off, NULL,   depth_range, fc_sphere_project, fc_sphere_window, fc_sphere_draw, fc_sphere_shadow, fc_sphere_between,
+    fc_scan_each};

@@ -295,19 +295,25 @@ static void weights(const fc_prepared *prepared, const int64_t direction[3], uin
   }
 }
 
-static bool depth_range(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far) {
-  int64_t low = form->u.triangle.vertex[0][2], high = low;
-  uint8_t i;
+static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
+  const placed_vertex *placed = group->memory;
+  uint16_t i;
   (void)frame;
-  for (i = 1; i < 3; i++) {
-    int64_t z = form->u.triangle.vertex[i][2];
-    if (z < low) low = z;
-    if (z > high) high = z;
+  for (i = 0; i < group->shapes.count; i++) {
+    fc_triangle t;
+    int32_t low, high;
+    uint8_t j;
+    read_item(&group->shapes, i, &t);
+    low = high = placed[t.vertex[0]].p[2];
+    for (j = 1; j < 3; j++) {
+      int32_t z = placed[t.vertex[j]].p[2];
+      if (z < low) low = z;
+      if (z > high) high = z;
+    }
+    if (high <= 0) continue;
+    if (low <= 0 || (uint32_t)low < *near) *near = low > 0 ? (uint32_t)low : 0;
+    if ((uint32_t)high > *far) *far = (uint32_t)high;
   }
-  if (high <= 0) return false;
-  *near = low > 0 ? (uint64_t)low : 0;
-  *far = (uint64_t)high;
-  return true;
 }
 
 const fc_kind fc_kind_triangle FC_ROM = {check,
@@ -327,4 +333,5 @@ const fc_kind fc_kind_triangle FC_ROM = {check,
                                          fc_triangle_window,
                                          fc_triangle_draw,
                                          fc_triangle_shadow,
-                                         fc_triangle_between};
+                                         fc_triangle_between,
+                                         fc_scan_each};
