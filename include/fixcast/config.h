@@ -29,4 +29,12 @@
 #define FC_READ(to, from, bytes) ((void)memcpy((to), (from), (bytes)))
 #endif
 
+/* A pointer that is known to be a multiple of 4. */
+#if defined(__GNUC__) && !defined(FC_ALIGNED4)
+#define FC_ALIGNED4(pointer) __builtin_assume_aligned((pointer), 4)
+#endif
+#ifndef FC_ALIGNED4
+#define FC_ALIGNED4(pointer) (pointer)
+#endif
+
 #endif

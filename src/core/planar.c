@@ -178,18 +178,38 @@ static void cast_shadows(fc_scan *scan, const fc_planar *planar) {
   }
 }
 
-/* Cosines of up to 32 pixels of a row: W and the numerator at the first. */
-static void cosines(const int32_t w[3], const int32_t dw[3], int32_t g, int32_t dg, uint8_t count, uint32_t *to) {
-  /* q = W.W / 2^30: components below 2^30, q below 2^32; 32 steps of rounded differences add up to an error of 2^10 or so */
-  uint32_t q = (uint32_t)((uint64_t)(fc_smul32(w[0], w[0]) + fc_smul32(w[1], w[1]) + fc_smul32(w[2], w[2])) >> 30);
-  int64_t square = fc_smul32(dw[0], dw[0]) + fc_smul32(dw[1], dw[1]) + fc_smul32(dw[2], dw[2]);
-  int64_t cross = fc_smul32(w[0], dw[0]) + fc_smul32(w[1], dw[1]) + fc_smul32(w[2], dw[2]);
-  uint32_t dq = (uint32_t)(uint64_t)fc_floor_shift64(2 * cross + square, 30), ddq = (uint32_t)(uint64_t)fc_floor_shift64(2 * square, 30);
-  uint32_t *end = to + count;
+/* What cosines need of a row: W.W / 2^30 and its differences, and the numerator. */
+typedef struct cosine_row {
+  uint32_t q, dq, ddq;
+  int32_t g;
+} cosine_row;
+
+static void start_row(const fc_planar *planar, const cosine *g, uint16_t row, uint16_t column, cosine_row *r) {
+  /* components below 2^30: sums of three products below 2^62, q below 2^32; over 128 columns the rounded differences add up
+   * to an error below 2^14 */
+  int64_t square = 0, cross = 0, step = 0;
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    int32_t w = planar->w.at[i] + column * planar->w.dx[i] + row * planar->w.dy[i], dw = planar->w.dx[i];
+    square += fc_smul32(w, w);
+    if (dw == 0) continue;
+    cross += fc_smul32(w, dw);
+    step += fc_smul32(dw, dw);
+  }
+  r->q = (uint32_t)((uint64_t)square >> 30);
+  r->dq = (uint32_t)(uint64_t)fc_floor_shift64(2 * cross + step, 30);
+  r->ddq = (uint32_t)(uint64_t)fc_floor_shift64(2 * step, 30);
+  r->g = g->at + column * g->dx + row * g->dy;
+}
+
+/* The next `count` cosines. */
+static void cosines(cosine_row *r, int32_t dg, uint8_t count, uint32_t *to) {
+  uint32_t q = r->q, dq = r->dq, *end = to + count, low = UINT32_C(1) << 30;
+  const uint32_t ddq = r->ddq;
+  int32_t g = r->g;
   uint8_t a = 0; /* q 2^(2a) in 2^30 .. 2^32-1 */
-  uint32_t low = UINT32_C(1) << 30;
-  for (; to < end; to++) {
-    uint32_t c;
+  for (; to != end; to++) {
+    uint32_t c = 0;
     while (q < low && a < 14) {
       low >>= 2;
       a++;
@@ -198,34 +218,41 @@ static void cosines(const int32_t w[3], const int32_t dw[3], int32_t g, int32_t 
       low <<= 2;
       a--;
     }
-    c = q < low || g <= 0 ? 0 : (((uint32_t)g >> (14 - a)) * fc_rsqrt_q15(q << (2 * a))) >> 16;
+    if (q >= low && g > 0) c = (((uint32_t)g >> (14 - a)) * fc_rsqrt_q15(q << (2 * a))) >> 16;
     *to = c > 65536 ? 65536 : c;
     q += dq;
     dq += ddq;
     g += dg;
   }
+  r->q = q;
+  r->dq = dq;
+  r->g = g;
 }
 
 static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
   uint16_t row;
-  uint8_t word, i;
+  uint8_t word;
   for (row = 0; row < scan->rows; row++) {
-    for (word = 0; word < scan->words; word++) {
+    cosine_row forms = {0, 0, 0, 0};
+    uint16_t next = UINT16_MAX, column = 0; /* the column that the forms stand at */
+    for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word], c[32];
-      uint16_t column = (uint16_t)(32 * word);
-      uint8_t first = 0, count = 32;
-      int32_t w[3];
+      uint16_t at = column;
+      uint8_t count = 32;
       if (bits == 0) continue;
       while (!(bits & 1)) {
         bits >>= 1;
-        first++;
+        at++;
+        count--;
       }
-      count = 0;
-      while (count < 32 && bits >> count != 0) count++;
-      column = (uint16_t)(column + first);
-      for (i = 0; i < 3; i++) w[i] = planar->w.at[i] + column * planar->w.dx[i] + row * planar->w.dy[i];
-      cosines(w, planar->w.dx, g->at + column * g->dx + row * g->dy, g->dx, count, c);
-      fc_scan_shade(scan, row, column, bits, c);
+      if (bits >> (count - 1) == 0) { /* what lies behind the last is not needed */
+        count = 0;
+        while (bits >> count != 0) count++;
+      }
+      if (at != next || word % 4 == 0) start_row(planar, g, row, at, &forms);
+      cosines(&forms, g->dx, count, c);
+      next = (uint16_t)(at + count);
+      fc_scan_shade(scan, row, at, bits, c);
     }
   }
 }

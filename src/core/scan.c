@@ -126,55 +126,93 @@ void fc_coder_start(fc_coder *coder, const fc_frame *frame, int16_t drop, uint32
   coder->low = UINT32_C(1) << 29;
   coder->shift = (uint8_t)(29 - m_bits);
   coder->half = UINT32_C(1) << (coder->shift - 1);
+  coder->low_bits = 2 * coder->half - 1;
   coder->base = (octave - 1) * (INT32_C(1) << m_bits);
   fc_coder_follow(coder, frame, p);
 }
 
+/* One pixel of a row that may need care: the far limit, another octave, a rounding left open. */
+static bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t column, int32_t p, uint8_t gain, uint32_t error,
+                         bool clip, fc_coder *coder) {
+  const int32_t margin = (int32_t)error, limit = INT32_C(1) << (30 - gain);
+  uint16_t *depth = fc_scan_depth(scan, row, column);
+  int32_t code = -1;
+  if (p < -margin) return false;
+  if (p > margin) {
+    if (clip && p < limit) {
+      uint32_t q30 = (uint32_t)p << gain;
+      int8_t within = q30 + (error << gain) < scan->frame->far_low    ? -1
+                      : q30 - (error << gain) > scan->frame->far_high ? 1
+                                                                      : fc_scan_far(scan, row, column, q30, error << gain);
+      if (within < 0) return false;
+      if (within == 0) return fc_scan_exact(scan, row, column);
+    }
+    fc_coder_follow(coder, scan->frame, (uint32_t)p);
+    code = fc_coder_code(coder, (uint32_t)p, error);
+    if (code >= 0 && code != *depth) {
+      if (code < *depth) return false;
+      *depth = (uint16_t)code;
+      return true;
+    }
+  }
+  return fc_scan_exact(scan, row, column);
+}
+
+/* Up to 32 pixels in one octave and within the far limit; returns those shown. */
+static uint32_t affine_word(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bit, uint8_t count,
+                            uint64_t at, uint64_t step, uint32_t error, const fc_coder *coder) {
+  uint16_t *depth = fc_scan_depth(scan, row, column), *end = depth + count;
+  const uint32_t add = coder->half + error, low_bits = coder->low_bits, open = 2 * error;
+  const uint32_t base = (uint32_t)coder->base;
+  const uint8_t shift = coder->shift;
+  uint32_t bits = 0;
+  do {
+    uint32_t up = (uint32_t)(at >> 32) + add, code = (up >> shift) + base, there = *depth;
+    if (code > UINT16_MAX) code = UINT16_MAX;
+    if ((up & low_bits) <= open || code == there) {
+      if (fc_scan_exact(scan, row, (uint16_t)(column + count - (end - depth)))) bits |= bit;
+    } else if (code > there) {
+      *depth = (uint16_t)code;
+      bits |= bit;
+    }
+    bit <<= 1;
+    at += step;
+  } while (++depth != end);
+  return bits;
+}
+
 void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, int64_t value, int64_t step,
                     uint8_t gain, uint32_t error) {
-  uint32_t *mask = scan->mask + row * scan->words, bit = UINT32_C(1) << (first & 31), bits = 0;
-  uint16_t *depth = fc_scan_depth(scan, row, first), word = first >> 5, column;
+  uint32_t *mask = scan->mask + row * scan->words + (first >> 5);
   int32_t begin = fc_high_word(value), end = fc_high_word(value + step * (last - first)), margin = (int32_t)error;
+  int32_t low = begin < end ? begin : end, high = begin < end ? end : begin;
   const int32_t limit = INT32_C(1) << (30 - gain);
   fc_coder coder;
-  bool clip = scan->clip_far;
+  bool clip = scan->clip_far, fast;
   uint64_t at = (uint64_t)value;
-  if (begin < -margin && end < -margin) return;
+  uint16_t column = first;
+  if (high < -margin) return;
   if (clip) {
-    int32_t low = begin < end ? begin : end, high = begin < end ? end : begin;
     if (high < limit && (uint32_t)(high + margin) << gain < scan->frame->far_low) return;
     if (low >= limit || (low > margin && (uint32_t)(low - margin) << gain > scan->frame->far_high)) clip = false;
   }
-  fc_coder_start(&coder, scan->frame, (int16_t)-gain, begin > 0 ? (uint32_t)begin : 1);
-  for (column = first; column <= last; column++, depth++, at += (uint64_t)step) {
-    int32_t p = fc_to_i32((uint32_t)(at >> 32)), code = -1;
-    bool shown = false;
-    if (p >= -margin) {
-      if (p > margin) {
-        fc_coder_follow(&coder, scan->frame, (uint32_t)p);
-        code = fc_coder_code(&coder, (uint32_t)p, error);
-        if (clip && p < limit) {
-          int8_t within = fc_scan_far(scan, row, column, (uint32_t)p << gain, error << gain);
-          if (within < 0) code = 0;
-          if (within == 0) code = -1;
-        }
-      }
-      if (code > *depth) {
-        *depth = (uint16_t)code;
-        shown = true;
-      } else if (code < 0 || (code == *depth && code > 0)) {
-        shown = fc_scan_exact(scan, row, column);
-      }
+  fc_coder_start(&coder, scan->frame, (int16_t)-gain, high > 0 ? (uint32_t)high : 1);
+  /* near / z is monotone along the row: what holds at both ends holds throughout */
+  fast = !clip && low > margin && (uint32_t)low >= coder.low && coder.base >= 1;
+  while (column <= last) {
+    uint8_t count = (uint8_t)(32 - (column & 31));
+    uint32_t bits = 0, bit = UINT32_C(1) << (column & 31);
+    if (count > last - column + 1) count = (uint8_t)(last - column + 1);
+    if (fast) {
+      bits = affine_word(scan, row, column, bit, count, at, (uint64_t)step, error, &coder);
+      at += count == 32 ? (uint64_t)step << 5 : (uint64_t)step * count;
+      column = (uint16_t)(column + count);
+    } else {
+      for (; count > 0; count--, column++, bit <<= 1, at += (uint64_t)step)
+        if (affine_pixel(scan, row, column, fc_high_word(fc_to_i64(at)), gain, error, clip, &coder)) bits |= bit;
     }
-    if (shown) bits |= bit;
-    bit <<= 1;
-    if (bit == 0) {
-      mask[word++] |= bits;
-      bits = 0;
-      bit = 1;
-    }
+    *mask++ |= bits;
   }
-  if (bits != 0) mask[word] |= bits;
 }
 
 /* ---- colour ---- */
@@ -191,6 +229,11 @@ void fc_scan_unlit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t 
     if (bits & 1) fill(scan, to, scan->tint.unlit);
 }
 
+static inline uint32_t level_of(const fc_tint *tint, uint8_t channel, uint32_t cosine) {
+  uint32_t level = (tint->base[channel] + tint->slope[channel] * cosine) >> FC_TINT_BITS;
+  return tint->clamp && level > tint->most[channel] ? tint->most[channel] : level;
+}
+
 void fc_scan_shade(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits, const uint32_t *cosine) {
   const fc_tint *tint = &scan->tint;
   uint8_t *to = fc_scan_pixel(scan, row, column), format = scan->target->format;
@@ -200,26 +243,21 @@ void fc_scan_shade(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t 
     for (b = bits; b != 0; b >>= 1, lit++)
       if (b & 1) *lit = 1;
   }
-  for (; bits != 0; bits >>= 1, to += scan->pixel_bytes, cosine++) {
-    uint32_t c, r, g, b;
-    if (!(bits & 1)) continue;
-    c = *cosine;
-    r = (tint->base[0] + tint->slope[0] * c) >> FC_TINT_BITS;
-    g = (tint->base[1] + tint->slope[1] * c) >> FC_TINT_BITS;
-    b = (tint->base[2] + tint->slope[2] * c) >> FC_TINT_BITS;
-    if (tint->clamp) {
-      if (r > tint->most[0]) r = tint->most[0];
-      if (g > tint->most[1]) g = tint->most[1];
-      if (b > tint->most[2]) b = tint->most[2];
+  if (format == FC_RGB888) {
+    for (; bits != 0; bits >>= 1, to += 3, cosine++) {
+      if (!(bits & 1)) continue;
+      to[0] = (uint8_t)level_of(tint, 0, *cosine);
+      to[1] = (uint8_t)level_of(tint, 1, *cosine);
+      to[2] = (uint8_t)level_of(tint, 2, *cosine);
     }
-    if (format == FC_RGB888) {
-      to[0] = (uint8_t)r;
-      to[1] = (uint8_t)g;
-      to[2] = (uint8_t)b;
-    } else {
-      uint32_t packed = (r << 11) | (g << 5) | b;
-      to[format == FC_RGB565_BE ? 0 : 1] = (uint8_t)(packed >> 8);
-      to[format == FC_RGB565_BE ? 1 : 0] = (uint8_t)packed;
+  } else {
+    const uint8_t high = format == FC_RGB565_BE ? 0 : 1;
+    for (; bits != 0; bits >>= 1, to += 2, cosine++) {
+      uint32_t packed;
+      if (!(bits & 1)) continue;
+      packed = level_of(tint, 0, *cosine) << 11 | level_of(tint, 1, *cosine) << 5 | level_of(tint, 2, *cosine);
+      to[high] = (uint8_t)(packed >> 8);
+      to[1 - high] = (uint8_t)packed;
     }
   }
 }
@@ -330,22 +368,48 @@ static void draw(fc_scan *scan, const fc_window *box, uint16_t rows) {
   }
 }
 
+/* Fills memory with a pattern of two 16-bit values, words at a time where it is aligned. */
+static void fill_pairs(uint8_t *to, size_t bytes, const uint8_t pattern[4]) {
+  uint8_t *end = to + bytes;
+  uint32_t word;
+  memcpy(&word, pattern, sizeof word);
+  if ((uintptr_t)to % 4 == 0) {
+    for (; end - to >= 16; to += 16) {
+      memcpy(FC_ALIGNED4(to), &word, sizeof word);
+      memcpy(FC_ALIGNED4(to + 4), &word, sizeof word);
+      memcpy(FC_ALIGNED4(to + 8), &word, sizeof word);
+      memcpy(FC_ALIGNED4(to + 12), &word, sizeof word);
+    }
+  }
+  for (; end - to >= 2; to += 2) {
+    to[0] = pattern[0];
+    to[1] = pattern[1];
+  }
+}
+
 static void clear(const fc_frame *frame, const fc_target *target, uint16_t rows, uint8_t pixel_bytes) {
-  size_t i, pixels = (size_t)rows * frame->width;
+  static const uint8_t zero[4] = {0, 0, 0, 0}, ones[4] = {0xff, 0xff, 0xff, 0xff};
+  size_t pixels = (size_t)rows * frame->width;
   uint16_t x, y;
   uint8_t bytes[4];
   fc_pixel_background(&frame->scene, target->format, bytes);
-  for (i = 0; i < pixels; i++) target->depth[i] = 0;
-  if (target->primitive != NULL)
-    for (i = 0; i < pixels; i++) target->primitive[i] = FC_PRIMITIVES_MAX;
-  if (target->lit != NULL)
-    for (i = 0; i < pixels; i++) target->lit[i] = 0;
+  fill_pairs((uint8_t *)target->depth, 2 * pixels, zero);
+  if (target->primitive != NULL) fill_pairs((uint8_t *)target->primitive, 2 * pixels, ones);
+  if (target->lit != NULL) fill_pairs((uint8_t *)target->lit, 4 * pixels, zero);
+  if (pixel_bytes == 2) {
+    bytes[2] = bytes[0];
+    bytes[3] = bytes[1];
+  }
   for (y = 0; y < rows; y++) {
     uint8_t *to = (uint8_t *)target->pixels + y * target->pitch_bytes;
-    for (x = 0; x < frame->width; x++, to += pixel_bytes) {
+    if (pixel_bytes == 2) {
+      fill_pairs(to, 2 * (size_t)frame->width, bytes);
+      continue;
+    }
+    for (x = 0; x < frame->width; x++, to += 3) {
       to[0] = bytes[0];
       to[1] = bytes[1];
-      if (pixel_bytes == 3) to[2] = bytes[2];
+      to[2] = bytes[2];
     }
   }
 }

@@ -58,6 +58,7 @@ struct fc_scan {
 typedef struct fc_coder {
   uint32_t low;  /* codes of p in low .. 2 low - 1 ... */
   uint32_t half; /* 2^(shift-1) */
+  uint32_t low_bits; /* 2^shift - 1 */
   int32_t base;  /* ... are base + round(p / 2^shift) */
   uint8_t shift;
 } fc_coder;
@@ -70,12 +71,14 @@ static inline void fc_coder_follow(fc_coder *coder, const fc_frame *frame, uint3
   while (p < coder->low && coder->shift > 1) {
     coder->low >>= 1;
     coder->half >>= 1;
+    coder->low_bits >>= 1;
     coder->shift--;
     coder->base -= INT32_C(1) << (16 - frame->depth_exponent_bits);
   }
   while (p >> 1 >= coder->low) {
     coder->low <<= 1;
     coder->half <<= 1;
+    coder->low_bits = 2 * coder->low_bits + 1;
     coder->shift++;
     coder->base += INT32_C(1) << (16 - frame->depth_exponent_bits);
   }
@@ -83,9 +86,10 @@ static inline void fc_coder_follow(fc_coder *coder, const fc_frame *frame, uint3
 
 /* The code of p (followed), or -1 when an error of `error` leaves it open. Values of 1 and more saturate. */
 static inline int32_t fc_coder_code(const fc_coder *coder, uint32_t p, uint32_t error) {
-  uint32_t up = p + coder->half, q = (up - error) >> coder->shift;
-  int32_t code = coder->base + (int32_t)q;
-  if (q != (up + error) >> coder->shift || code <= 1) return -1;
+  /* p + half, cut by the shift; within 2 error of a multiple of 2^shift, so it may be either */
+  uint32_t up = p + coder->half + error;
+  int32_t code = coder->base + (int32_t)(up >> coder->shift);
+  if ((up & (coder->low_bits)) <= 2 * error || code <= 1) return -1;
   return code > UINT16_MAX ? UINT16_MAX : code;
 }
 
