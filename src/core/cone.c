@@ -6,13 +6,13 @@
 /* f = W' M W with M = C C' - (|C|^2 - r^2) I: on the diagonal r^2 less the squares of the other two. */
 static void matrix(const int64_t c[3], int64_t r, int64_t m[3][3]) {
   /* 31-bit factors: squares below 2^62, sums of two below 2^63 */
-  int64_t square[3], rr = r * r;
+  int64_t square[3], rr = fc_smul32((int32_t)r, (int32_t)r);
   uint8_t i;
-  for (i = 0; i < 3; i++) square[i] = c[i] * c[i];
+  for (i = 0; i < 3; i++) square[i] = fc_smul32((int32_t)c[i], (int32_t)c[i]);
   for (i = 0; i < 3; i++) {
     uint8_t j = (uint8_t)(i == 2 ? 0 : i + 1), k = (uint8_t)(i == 0 ? 2 : i - 1);
     m[i][i] = rr - (square[j] + square[k]);
-    m[i][j] = m[j][i] = c[i] * c[j];
+    m[i][j] = m[j][i] = fc_smul32((int32_t)c[i], (int32_t)c[j]);
   }
 }
 
@@ -46,7 +46,7 @@ void fc_cone_setup(fc_cone *cone, const int64_t center[3], int64_t radius, uint8
   } else {
     s = largest == 0 ? 0 : (uint8_t)((fc_clz64(largest) - 2) & ~1);
     for (i = 0; i < 3; i++)
-      for (j = 0; j < 3; j++) m[i][j] *= INT64_C(1) << s;
+      for (j = 0; j < 3; j++) m[i][j] = fc_to_i64((uint64_t)m[i][j] << s);
     cone->scale = (int8_t)s;
   }
   apply((const int64_t(*)[3])m, sheaf->at, u);

@@ -2,15 +2,16 @@
 #include "i128.h"
 
 #include "bits.h"
+#include "quick.h"
 
 fc_i128 fc_i128_mul_u64(uint64_t a, uint64_t b) {
-  uint64_t a0 = (uint32_t)a, a1 = a >> 32, b0 = (uint32_t)b, b1 = b >> 32;
-  uint64_t low = a0 * b0, m1 = a1 * b0, m2 = a0 * b1;
+  uint32_t a0 = (uint32_t)a, a1 = (uint32_t)(a >> 32), b0 = (uint32_t)b, b1 = (uint32_t)(b >> 32);
+  uint64_t low = fc_mul32(a0, b0), m1 = fc_mul32(a1, b0), m2 = fc_mul32(a0, b1);
   /* three terms below 2^32 each: no carry out of 64 bits */
   uint64_t middle = (low >> 32) + (uint32_t)m1 + (uint32_t)m2;
   fc_i128 r;
   r.lo = (middle << 32) | (uint32_t)low;
-  r.hi = a1 * b1 + (m1 >> 32) + (m2 >> 32) + (middle >> 32);
+  r.hi = fc_mul32(a1, b1) + (m1 >> 32) + (m2 >> 32) + (middle >> 32);
   return r;
 }
 

@@ -159,7 +159,7 @@ static bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t column, int
 }
 
 /* Up to 32 pixels in one octave and within the far limit; returns those shown. */
-static uint32_t affine_word(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bit, uint8_t count,
+static FC_NOINLINE uint32_t affine_word(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bit, uint8_t count,
                             uint64_t at, uint64_t step, uint32_t error, const fc_coder *coder) {
   uint16_t *depth = fc_scan_depth(scan, row, column), *end = depth + count;
   const uint32_t add = coder->half + error, low_bits = coder->low_bits, open = 2 * error;
@@ -197,20 +197,32 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
     if (low >= limit || (low > margin && (uint32_t)(low - margin) << gain > scan->frame->far_high)) clip = false;
   }
   fc_coder_start(&coder, scan->frame, (int16_t)-gain, high > 0 ? (uint32_t)high : 1);
-  /* near / z is monotone along the row: what holds at both ends holds throughout */
-  fast = !clip && low > margin && (uint32_t)low >= coder.low && coder.base >= 1;
   while (column <= last) {
     uint8_t count = (uint8_t)(32 - (column & 31));
     uint32_t bits = 0, bit = UINT32_C(1) << (column & 31);
+    uint64_t next;
     if (count > last - column + 1) count = (uint8_t)(last - column + 1);
+    next = at + (count == 32 ? (uint64_t)step << 5 : (uint64_t)step * count);
+    /* near / z is monotone: what holds at both ends holds in between */
+    begin = fc_to_i32((uint32_t)(at >> 32));
+    end = fc_to_i32((uint32_t)((next - (uint64_t)step) >> 32));
+    low = begin < end ? begin : end;
+    high = begin < end ? end : begin;
+    if (low > margin && (!clip || (uint32_t)(low - margin) << gain > scan->frame->far_high)) {
+      fc_coder_follow(&coder, scan->frame, (uint32_t)high);
+      fast = (uint32_t)low >= coder.low && coder.base >= 1;
+    } else {
+      fast = false;
+    }
     if (fast) {
       bits = affine_word(scan, row, column, bit, count, at, (uint64_t)step, error, &coder);
-      at += count == 32 ? (uint64_t)step << 5 : (uint64_t)step * count;
-      column = (uint16_t)(column + count);
-    } else {
-      for (; count > 0; count--, column++, bit <<= 1, at += (uint64_t)step)
-        if (affine_pixel(scan, row, column, fc_high_word(fc_to_i64(at)), gain, error, clip, &coder)) bits |= bit;
+    } else if (high >= -margin && !(clip && high < limit && (uint32_t)(high + margin) << gain < scan->frame->far_low)) {
+      uint8_t i;
+      for (i = 0; i < count; i++, bit <<= 1, at += (uint64_t)step)
+        if (affine_pixel(scan, row, (uint16_t)(column + i), fc_high_word(fc_to_i64(at)), gain, error, clip, &coder)) bits |= bit;
     }
+    at = next;
+    column = (uint16_t)(column + count);
     *mask++ |= bits;
   }
 }

@@ -23,7 +23,7 @@ void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *mem
     fc_placed_sphere *p = &placed[i];
     int64_t c[3], power, square;
     fc_window box;
-    fc_quick factor;
+    fc_num factor;
     c[0] = p->center[0];
     c[1] = p->center[1];
     c[2] = p->center[2];
@@ -38,10 +38,10 @@ void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *mem
     /* 3 * 2^60 - 1: fits */
     power = square - (int64_t)p->radius * p->radius;
     if (c[2] <= p->radius || power <= 0) continue;
-    factor = fc_quick_recip(fc_quick_mul(fc_quick_from((uint64_t)power, 0), fc_quick_from((uint64_t)frame->view.focal, 0)));
-    factor = fc_quick_mul(factor, fc_quick_from(frame->depth_near, 0));
-    p->factor = factor.m;
-    p->exponent = factor.e;
+    factor = fc_num_mul(fc_num_from_u64((uint64_t)power, 0), fc_num_from_u64((uint64_t)frame->view.focal, 0));
+    factor = fc_num_div(fc_num_from_u64(frame->depth_near, 0), factor);
+    p->factor = (uint32_t)(factor.m >> 31);
+    p->exponent = (int16_t)(factor.e + 31);
     p->seen = FC_SPHERE_PLAIN;
   }
 }
@@ -80,7 +80,7 @@ typedef struct ball_light {
 enum { LIGHT_AWAY, LIGHT_FORMS, LIGHT_SLOW };
 #define MANY 255
 
-static void find_occluders(const fc_scan *scan, ball_light *light) {
+static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
   fc_space space;
   fc_cursor cursor;
   space.scene = &scan->frame->scene;
@@ -109,7 +109,7 @@ static void find_occluders(const fc_scan *scan, ball_light *light) {
   }
 }
 
-static uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop) {
+static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, l[3], at, most, center_light;
   uint64_t square = 0;
@@ -152,37 +152,6 @@ static uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop) {
   return LIGHT_FORMS;
 }
 
-/* The cosine in Q16 where near / z = p / 2^(30 + drop) and 2^octave <= p; -1: does not face the light; -2: in doubt. */
-static int32_t ball_cosine(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
-  uint32_t m = p >> (octave - 15), r = fc_recip_q31(m), g, low = UINT32_C(1) << 30;
-  /* along within 2^30, r within 2^16 */
-  int32_t s = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16), e;
-  int16_t down = (int16_t)(octave + light->shift);
-  uint8_t a = 0;
-  if (down < 0 || down > 31) return -2;
-  if (light->refine) {
-    /* times 1 + e with e = 1 - x r: |e| below 2^-13 */
-    int32_t rest = (INT32_C(1) << 30) - (int32_t)fc_mulhi32(p << (31 - octave), r << 15);
-    s += fc_floor_shift32(fc_floor_shift32(s, 17) * rest, 13);
-  }
-  s = fc_floor_shift32(s, (uint8_t)down) - light->s0;
-  e = s - light->h;
-  if (e < -light->margin) return -1;
-  if (e <= light->margin) return -2;
-  if (s > INT32_C(1) << 24) {
-    s = INT32_C(1) << 24;
-    e = s - light->h;
-  }
-  /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
-  g = (uint32_t)(light->sum - ((s >> 8) * (light->h >> 9) >> 6)) << 6;
-  while (g < low) {
-    g <<= 2;
-    a++;
-  }
-  e = (int32_t)(((uint32_t)(e >> 9) * fc_rsqrt_q15(g)) >> (15 - a));
-  return e > 65536 ? 65536 : e;
-}
-
 /* Whether an occluder in the list keeps the light away. */
 static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column) {
   fc_space space;
@@ -204,33 +173,83 @@ static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row,
   return false;
 }
 
-static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
-                      const uint32_t *p) {
-  uint32_t cosine[32], dark = 0, bit = 1, rest = bits, low = UINT32_C(1) << 31;
-  int32_t along = light->at + light->dx * column + light->dy * row;
-  uint8_t i, octave = 31;
-  for (i = 0; rest != 0; i++, rest >>= 1, bit <<= 1, along += light->dx) {
-    int32_t c;
-    if (!(rest & 1)) continue;
-    while (p[i] < low) {
+/* does not face the light; the forms cannot tell */
+#define COSINE_AWAY UINT32_C(0xfffffffe)
+#define COSINE_OPEN UINT32_C(0xffffffff)
+
+/* Replaces p of the pixels in `bits` by the cosine in Q16, or by one of the above. */
+static FC_NOINLINE void cosines(const ball_light *light, int32_t along, uint32_t bits, uint32_t *p) {
+  const int32_t h = light->h, margin = light->margin;
+  uint32_t low = UINT32_C(1) << 31;
+  uint8_t octave = 31;
+  for (; bits != 0; bits >>= 1, along += light->dx, p++) {
+    uint32_t m, r, g, top = UINT32_C(1) << 30;
+    int32_t s, e;
+    uint8_t up = 15;
+    int16_t down;
+    if (!(bits & 1)) continue;
+    while (*p < low) {
       low >>= 1;
       octave--;
     }
-    while (p[i] >> 1 >= low) {
+    while (*p >> 1 >= low) {
       low <<= 1;
       octave++;
     }
-    c = ball_cosine(light, along, p[i], octave);
-    if (c == -2) {
-      c = fc_scan_reached(scan, (uint16_t)row, (uint16_t)(column + i)) ? 0 : -1;
-    } else if (c >= 0 && light->occluders != 0 && occluded(scan, light, row, (uint16_t)(column + i))) {
-      c = -1;
+    m = *p >> (octave - 15);
+    r = fc_recip_q31(m);
+    /* along within 2^30, r within 2^16 */
+    s = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16);
+    down = (int16_t)(octave + light->shift);
+    if (light->refine) {
+      /* times 1 + e with e = 1 - x r: |e| below 2^-13 */
+      int32_t rest = (INT32_C(1) << 30) - (int32_t)fc_mulhi32(*p << (31 - octave), r << 15);
+      s += fc_floor_shift32(fc_floor_shift32(s, 17) * rest, 13);
     }
-    if (c < 0) dark |= bit;
-    cosine[i] = (uint32_t)c;
+    if ((uint16_t)down > 31) {
+      *p = COSINE_OPEN;
+      continue;
+    }
+    s = fc_floor_shift32(s, (uint8_t)down) - light->s0;
+    e = s - h;
+    if (e <= margin) {
+      *p = e < -margin ? COSINE_AWAY : COSINE_OPEN;
+      continue;
+    }
+    if (s > INT32_C(1) << 24) {
+      s = INT32_C(1) << 24;
+      e = s - h;
+    }
+    /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
+    g = (uint32_t)(light->sum - ((s >> 8) * (h >> 9) >> 6)) << 6;
+    while (g < top) {
+      g <<= 2;
+      up--;
+    }
+    r = ((uint32_t)(e >> 9) * fc_rsqrt_q15(g)) >> up;
+    *p = r > 65536 ? 65536 : r;
+  }
+}
+
+/* Lights the pixels of a row in `bits`, given p of each; p is used up. */
+static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
+                      uint32_t *p) {
+  uint32_t dark = 0, bit = 1, rest;
+  uint8_t i;
+  cosines(light, light->at + light->dx * column + light->dy * row, bits, p);
+  for (i = 0, rest = bits; rest != 0; i++, rest >>= 1, bit <<= 1) {
+    if (!(rest & 1) || (p[i] <= 65536 && light->occluders == 0)) continue;
+    if (p[i] == COSINE_AWAY) {
+      dark |= bit;
+    } else if (p[i] == COSINE_OPEN) {
+      if (!fc_scan_reached(scan, row, (uint16_t)(column + i))) dark |= bit;
+      p[i] = 0;
+    } else if (occluded(scan, light, row, (uint16_t)(column + i))) {
+      dark |= bit;
+    }
   }
   if (dark != 0) fc_scan_unlit(scan, row, column, dark);
-  fc_scan_shade(scan, row, column, bits & ~dark, cosine);
+  fc_scan_shade(scan, row, column, bits & ~dark, p);
 }
 
 /* ---- drawing ---- */
@@ -238,65 +257,131 @@ static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row
 /* What a row of the sphere needs. */
 typedef struct sphere_forms {
   fc_cone cone;
-  int64_t b, b_dx;      /* C.W in units of sqrt(f) with 32 more bits */
-  int64_t least;        /* f beyond this: inside, and sqrt(f) is good */
+  int64_t b, b_dx;      /* C.W in units of sqrt(f) with 32 more bits; in a word it may drift by half a unit a pixel */
+  uint32_t b_step;
+  int32_t outside;      /* high word of f below this: outside */
+  int32_t inside;       /* above this: inside, and sqrt(f) is good */
   uint32_t factor, error;
   int16_t drop;
-  uint8_t lift;
+  uint8_t lift, half_lift;
   bool clip;
 } sphere_forms;
 
-/* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each. */
-static uint32_t draw_word(const fc_scan *scan, const sphere_forms *ball, int64_t *f_at, int64_t *dx_at, int64_t *b_at,
-                          fc_coder *coder, uint16_t row, uint16_t column, uint8_t count, uint32_t *ps) {
-  uint64_t f = (uint64_t)*f_at, dx = (uint64_t)*dx_at, b = (uint64_t)*b_at;
-  const uint64_t dxx = (uint64_t)ball->cone.dxx, b_dx = (uint64_t)ball->b_dx;
-  const int32_t outside = fc_high_word(-ball->cone.error) - 1, inside = fc_high_word(ball->least) + 1;
-  uint16_t *depth = fc_scan_depth(scan, row, column);
-  uint32_t bits = 0, bit = 1;
-  uint8_t i;
-  for (i = 0; i < count; i++, depth++, bit <<= 1) {
-    int32_t high = fc_to_i32((uint32_t)(f >> 32));
-    if (high > inside) {
-      uint32_t m = (uint32_t)((f << ball->lift) >> 32), low = (uint32_t)f << ball->lift, p;
-      int32_t code;
-      uint8_t k = (uint8_t)(ball->lift >> 1);
-      while (m < UINT32_C(1) << 30) {
-        m = (m << 2) | (low >> 30);
-        low <<= 2;
-        k++;
-      }
-      p = fc_mulhi32((uint32_t)(b >> 32) + (fc_sqrt_q32(m) >> k), ball->factor);
-      fc_coder_follow(coder, scan->frame, p);
-      code = fc_coder_code(coder, p, ball->error);
-      ps[i] = p;
-      if (ball->clip) {
-        int8_t within = ball->drop < 0 || ball->drop > 31
-                            ? 0
-                            : fc_scan_far(scan, row, (uint16_t)(column + i), p >> ball->drop, ball->error + 1);
-        if (within <= 0) code = within < 0 ? 0 : -1;
-      }
-      if (code > *depth) {
-        *depth = (uint16_t)code;
-        bits |= bit;
-      } else if (code < 0 || (code == *depth && code > 0)) {
-        if (fc_scan_exact(scan, row, (uint16_t)(column + i))) bits |= bit;
-      }
-    } else if (high >= outside) {
-      ps[i] = 0;
-      if (fc_scan_exact(scan, row, (uint16_t)(column + i))) bits |= bit;
+/* Takes pixels beyond the far limit out of a run; returns those that it may cut. */
+static uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t row, uint16_t column, const uint32_t *ps,
+                         uint32_t *p, const uint32_t *end) {
+  uint32_t open = 0;
+  for (; p != end; p++) {
+    int8_t within = 0;
+    if (ball->drop >= 0 && ball->drop < 32)
+      within = fc_scan_far(scan, row, (uint16_t)(column + (p - ps)), *p >> ball->drop, ball->error + 1);
+    if (within == 0) open |= UINT32_C(1) << (p - ps);
+    if (within <= 0) *p = 0;
+  }
+  return open;
+}
+
+/* The pixels among `bits` that the ray engine shows. */
+static uint32_t exact_run(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
+  uint32_t shown = 0, bit = 1;
+  for (; bits != 0; bits >>= 1, bit <<= 1, column++)
+    if ((bits & 1) && fc_scan_exact(scan, row, column)) shown |= bit;
+  return shown;
+}
+
+/* Where the forms stand in a row. */
+typedef struct sphere_row {
+  uint64_t f, dx;
+  uint32_t b;
+} sphere_row;
+
+/* p of the pixels from here on until one is not surely inside, or `end`; returns where that is. */
+static FC_NOINLINE uint32_t *inside_run(const sphere_forms *ball, sphere_row *at, uint32_t *to, const uint32_t *end) {
+  uint64_t f = at->f, dx = at->dx;
+  const uint64_t dxx = (uint64_t)ball->cone.dxx;
+  uint32_t b = at->b;
+  const uint32_t b_dx = ball->b_step, factor = ball->factor;
+  const uint8_t lift = ball->lift;
+  while (to != end) {
+    uint32_t high = (uint32_t)(f >> 32), m;
+    uint8_t k = ball->half_lift;
+    if (fc_to_i32(high) <= ball->inside) break;
+    m = (high << lift) | ((uint32_t)f >> (32 - lift));
+    while (m < UINT32_C(1) << 30) {
+      m <<= 2;
+      k++;
     }
+    *to++ = fc_mulhi32(b + (fc_sqrt_q32(m) >> k), factor);
     f += dx;
     dx += dxx;
     b += b_dx;
   }
-  *f_at = fc_to_i64(f);
-  *dx_at = fc_to_i64(dx);
-  *b_at = fc_to_i64(b);
+  at->f = f;
+  at->dx = dx;
+  at->b = b;
+  return to;
+}
+
+/* Leaves out a pixel, and those behind it until one is not surely outside. */
+static FC_NOINLINE uint32_t *outside_run(const sphere_forms *ball, sphere_row *at, uint32_t *to, const uint32_t *end) {
+  uint64_t f = at->f, dx = at->dx;
+  const uint64_t dxx = (uint64_t)ball->cone.dxx;
+  const int32_t outside = ball->outside;
+  uint32_t *from = to;
+  do {
+    *to++ = 0;
+    f += dx;
+    dx += dxx;
+  } while (to != end && fc_to_i32((uint32_t)(f >> 32)) < outside);
+  at->b += ball->b_step * (uint32_t)(to - from);
+  at->f = f;
+  at->dx = dx;
+  return to;
+}
+
+/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. */
+static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t column, const uint32_t *p, const uint32_t *end,
+                                     uint32_t error, fc_coder *coder_of_tile) {
+  fc_coder coder = *coder_of_tile;
+  uint16_t *depth = fc_scan_depth(scan, row, column);
+  uint32_t bits = 0, bit = 1;
+  for (; p != end; p++, depth++, bit <<= 1) {
+    uint32_t there = *depth;
+    int32_t code;
+    if (*p == 0) continue;
+    fc_coder_follow(&coder, scan->frame, *p);
+    code = fc_coder_code(&coder, *p, error);
+    if (code > (int32_t)there) {
+      *depth = (uint16_t)code;
+      bits |= bit;
+    } else if (code < 0 || code == (int32_t)there) {
+      if (fc_scan_exact(scan, row, (uint16_t)(depth - fc_scan_depth(scan, row, 0)))) bits |= bit;
+    }
+  }
+  *coder_of_tile = coder;
   return bits;
 }
 
-static void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere_forms *ball, int64_t *b_dy) {
+/* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each. */
+static FC_NOINLINE uint32_t draw_word(const fc_scan *scan, const sphere_forms *ball, sphere_row *at, fc_coder *coder, uint16_t row,
+                          uint16_t column, uint8_t count, uint32_t *ps) {
+  uint32_t *p = ps, *end = ps + count, exact = 0;
+  while (p != end) {
+    int32_t high = fc_to_i32((uint32_t)(at->f >> 32));
+    if (high > ball->inside) {
+      uint32_t *from = p;
+      p = inside_run(ball, at, p, end);
+      if (ball->clip) exact |= clip_run(scan, ball, row, column, ps, from, p);
+      continue;
+    }
+    if (high >= ball->outside) exact |= UINT32_C(1) << (p - ps);
+    p = outside_run(ball, at, p, end);
+  }
+  exact = exact_run(scan, row, column, exact);
+  return exact | test_run(scan, row, column, ps, end, ball->error, coder);
+}
+
+static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere_forms *ball, int64_t *b_dy) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, unit;
   fc_sheaf sheaf;
@@ -320,19 +405,34 @@ static void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere
   ball->b = fc_small_dot(c, d) * unit;
   ball->b_dx = c[0] * step * unit;
   *b_dy = -c[1] * step * unit;
-  /* near / z = (b + sqrt f) 2^(31 - scale / 2) factor 2^exponent */
   ball->factor = placed->factor;
-  ball->drop = (int16_t)-(placed->exponent + 93 - half);
   /* The greatest f, r^2 |W|^2 2^(scale - 64), is lifted to 64 bits. */
   {
     int32_t bits = 2 * fc_bits64((uint64_t)scan->form->u.sphere.radius) + 62 + ball->cone.scale - 64;
     ball->lift = bits < 64 ? (uint8_t)((64 - (bits < 2 ? 2 : bits)) & ~1) : 0;
     if (ball->lift > 30) ball->lift = 30;
+    if (ball->lift < 2) ball->lift = 2;
+    ball->half_lift = ball->lift / 2;
   }
+  /* sqrt(f) is at most b, and b greatest at a corner: both times 2^gain so that their sum has up to 31 bits */
+  {
+    int64_t right = ball->b_dx * scan->columns, down = *b_dy * scan->rows;
+    int64_t most = ball->b + (right > 0 ? right : 0) + (down > 0 ? down : 0);
+    uint8_t gain = (uint8_t)(fc_clz64((uint64_t)most) - 2);
+    if (gain > ball->half_lift) gain = ball->half_lift;
+    ball->b *= INT64_C(1) << gain;
+    ball->b_dx *= INT64_C(1) << gain;
+    *b_dy *= INT64_C(1) << gain;
+    ball->half_lift = (uint8_t)(ball->half_lift - gain);
+    /* near / z = (b + sqrt f) 2^(31 - gain - scale / 2) factor 2^exponent */
+    ball->drop = (int16_t)-(placed->exponent + 93 - half - gain);
+  }
+  ball->b_step = (uint32_t)fc_high_word(ball->b_dx + (INT64_C(1) << 31));
   /* From here on the form's own error moves sqrt(f) by less than 1. */
-  ball->least = ball->cone.error * (ball->cone.error / 4 + 1);
-  /* the root's error (64 after the lift), the form's, b's floor, and the factor's 2^-27.4 of 2^32 */
-  ball->error = (64u >> (ball->lift / 2)) + 22;
+  ball->outside = fc_high_word(-ball->cone.error);
+  ball->inside = fc_high_word(ball->cone.error * (ball->cone.error / 4 + 1)) + 1;
+  /* the root's error (32 before the shift), the form's, b's rounding and drift, and the factor's */
+  ball->error = (32u >> ball->half_lift) + 22;
 }
 
 static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
@@ -347,12 +447,18 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   ball.clip = placed->beyond;
   fc_coder_start(&coder, scan->frame, ball.drop, UINT32_C(1) << 29);
   for (row = 0; row < scan->rows; row++) {
-    int64_t f = ball.cone.f, dx = ball.cone.dx, b = ball.b;
+    sphere_row at;
+    int64_t b;
     uint16_t column;
+    at.f = (uint64_t)ball.cone.f;
+    at.dx = (uint64_t)ball.cone.dx;
+    b = ball.b;
     for (column = 0; column < scan->columns; column = (uint16_t)(column + 32)) {
       uint32_t ps[32], bits;
       uint8_t count = scan->columns - column < 32 ? (uint8_t)(scan->columns - column) : 32;
-      bits = draw_word(scan, &ball, &f, &dx, &b, &coder, row, column, count, ps);
+      at.b = (uint32_t)fc_high_word(b + (INT64_C(1) << 31));
+      b += ball.b_dx * 32;
+      bits = draw_word(scan, &ball, &at, &coder, row, column, count, ps);
       if (bits == 0 || !fc_scan_wants_light(scan, row, column, bits)) continue;
       if (!light_set) {
         how = set_light(scan, &light, ball.drop);
@@ -470,6 +576,7 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   uint8_t i;
   int8_t everywhere;
   int32_t dark, lit;
+  int64_t bulge;
   for (i = 0; i < 3; i++) center[i] = c[i] - scan->frame->lights[i]; /* below 2^31 */
   if (fc_i128_compare(fc_i128_dot(center, center), fc_i128_mul(radius, radius)) <= 0) {
     fc_planar_ask(scan, kind, form); /* the light inside the sphere, or on it */
@@ -480,6 +587,8 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   fc_cone_setup(&cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
   dark = fc_high_word(cone.error) + 1;
   lit = fc_high_word(-cone.error) - 1;
+  /* f is quadratic along a row: over 32 columns it exceeds its values at both ends by at most 32^2 / 8 |dxx| */
+  bulge = (int64_t)fc_abs64(cone.dxx) << 7;
   for (row = 0; row < scan->rows; row++) {
     uint64_t f = (uint64_t)cone.f, dx = (uint64_t)cone.dx;
     bool doubted = scan->y + row >= doubt.y0 && scan->y + row <= doubt.y1;
@@ -488,20 +597,27 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
     for (word = 0; word < scan->words; word++) {
       uint32_t bits = scan->mask[row * scan->words + word], bit = 1, darkened = 0;
       uint8_t count = scan->columns - column < 32 ? (uint8_t)(scan->columns - column) : 32;
-      for (i = 0; i < count; i++, bit <<= 1, f += dx, dx += (uint64_t)cone.dxx) {
-        int32_t high = fc_to_i32((uint32_t)(f >> 32));
-        uint16_t x = (uint16_t)(column + i);
-        bool sure = high > dark;
-        if (high < lit || !(bits & bit)) continue;
-        if (sure && everywhere == 0) {
-          int64_t a = ahead.at + ahead.dx * x + ahead.dy * row;
-          if (a < -ahead.margin) continue;
-          sure = a > ahead.margin;
+      /* 32 columns on: f + 32 dx + 496 dxx */
+      uint64_t f_next = f + (dx << 5) + ((uint64_t)cone.dxx << 9) - ((uint64_t)cone.dxx << 4), dx_next = dx + ((uint64_t)cone.dxx << 5);
+      int64_t most = fc_to_i64(f) > fc_to_i64(f_next) ? fc_to_i64(f) : fc_to_i64(f_next);
+      if (bits != 0 && (word + 1 == scan->words || most >= -cone.error - bulge)) {
+        for (i = 0; i < count; i++, bit <<= 1, f += dx, dx += (uint64_t)cone.dxx) {
+          int32_t high = fc_to_i32((uint32_t)(f >> 32));
+          uint16_t x = (uint16_t)(column + i);
+          bool sure = high > dark;
+          if (high < lit || !(bits & bit)) continue;
+          if (sure && everywhere == 0) {
+            int64_t a = ahead.at + ahead.dx * x + ahead.dy * row;
+            if (a < -ahead.margin) continue;
+            sure = a > ahead.margin;
+          }
+          if (doubted && scan->x + x >= doubt.x0 && scan->x + x <= doubt.x1) sure = false;
+          if (sure || fc_scan_blocked(scan, row, x, kind, form)) darkened |= bit;
         }
-        if (doubted && scan->x + x >= doubt.x0 && scan->x + x <= doubt.x1) sure = false;
-        if (sure || fc_scan_blocked(scan, row, x, kind, form)) darkened |= bit;
+        if (darkened != 0) fc_planar_darken(scan, row, column, darkened);
       }
-      if (darkened != 0) fc_planar_darken(scan, row, column, darkened);
+      f = f_next;
+      dx = dx_next;
       column = (uint16_t)(column + 32);
     }
     fc_cone_next_row(&cone);

@@ -159,9 +159,10 @@ void fc_view_to_world(const fc_view *view, fc_num t, const int64_t direction[3],
 }
 
 void fc_view_direction(const fc_frame *frame, uint16_t x, uint16_t y, int64_t direction[3]) {
-  int64_t one = INT64_C(1) << frame->view.pixel_shift;
-  direction[0] = (2 * (int64_t)x + 1 - frame->width) * one;
-  direction[1] = (frame->height - 2 * (int64_t)y - 1) * one;
+  /* below 2^29 by the choice of pixel_shift */
+  int32_t one = INT32_C(1) << frame->view.pixel_shift;
+  direction[0] = (2 * (int32_t)x + 1 - frame->width) * one;
+  direction[1] = (frame->height - 2 * (int32_t)y - 1) * one;
   direction[2] = frame->view.focal;
 }
 
