@@ -262,7 +262,7 @@ private:
   template <typename T>
   void add_table(const fc_kind *kind, const std::vector<T> &table) {
     if (table.empty()) return;
-    out_.shapes.push_back({kind, table.data(), nullptr, static_cast<std::uint16_t>(table.size()), 0});
+    out_.shapes.push_back({kind, table.data(), nullptr, static_cast<std::uint16_t>(table.size()), 0, 0});
   }
 
   void finish_scene() {

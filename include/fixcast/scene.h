@@ -70,15 +70,21 @@ typedef struct fc_shapes {
   const void *items; /* fc_sphere, fc_plane or fc_triangle, as the kind says */
   const fc_vec3 *vertices;
   uint16_t count, vertex_count;
+  uint8_t cull; /* triangles: 1 when they close up and face outwards, so that back faces need not be drawn; otherwise 0 */
 } fc_shapes;
 
 #define FC_COUNT_OF(table) ((uint16_t)(sizeof(table) / sizeof((table)[0])))
 #define FC_SPHERES(table) \
-  { &fc_kind_sphere, (table), NULL, FC_COUNT_OF(table), 0 }
+  { &fc_kind_sphere, (table), NULL, FC_COUNT_OF(table), 0, 0 }
 #define FC_PLANES(table) \
-  { &fc_kind_plane, (table), NULL, FC_COUNT_OF(table), 0 }
+  { &fc_kind_plane, (table), NULL, FC_COUNT_OF(table), 0, 0 }
 #define FC_TRIANGLES(vertices, table) \
-  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices) }
+  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), 0 }
+/* Closed meshes: every edge is shared by two triangles, which run along it in opposite directions, counter-clockwise seen from
+ * outside, and no triangle passes through another. Rays meet their front faces only: a back face is hidden from any eye that is
+ * outside, and costs next to nothing. An eye inside looks out through them. Shadows are cast by all faces. */
+#define FC_TRIANGLES_CLOSED(vertices, table) \
+  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), 1 }
 
 /* A point light. `position` stands for position * 2^exponent in world coordinates (-31..32): a far sun needs a
  * coarser grid than the scene. `intensity` is Q1.15 times 2^intensity_exponent (-40..40): irradiance of a surface

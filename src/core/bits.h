@@ -18,6 +18,14 @@ static inline uint8_t fc_clz64(uint64_t v) {
 #endif
 }
 
+static inline uint8_t fc_clz32(uint32_t v) {
+#if defined(__GNUC__) && __SIZEOF_INT__ == 4
+  return (uint8_t)__builtin_clz(v);
+#else
+  return (uint8_t)(fc_clz64(v) - 32);
+#endif
+}
+
 /* Bits of a word up to its highest one; 0 for 0. */
 static inline uint8_t fc_bits64(uint64_t v) { return v == 0 ? 0 : (uint8_t)(64 - fc_clz64(v)); }
 

@@ -30,6 +30,7 @@ typedef struct fc_form {
     } plane;
     struct {
       int64_t vertex[3][3];
+      int8_t hidden; /* rays miss it where normal . (vertex - origin) has this sign; 0: both sides are hit */
     } triangle;
   } u;
   uint16_t material, object;
@@ -51,6 +52,7 @@ typedef struct fc_prepared {
       int32_t filter[3][3]; /* floor(N_i / 2^s), below 2^30 */
       int64_t normal[3];
       fc_i128 side;         /* normal . V_0 */
+      int8_t hidden;
     } triangle;
   } u;
 } fc_prepared;

@@ -1,20 +1,444 @@
-/* The scan engine on triangles. */
+/* The scan engine on triangles: spans of edge forms, depth by an affine near / z. */
+#include "facet.h"
 #include "planar.h"
 #include "scan_kinds.h"
 
-void fc_triangle_draw(fc_scan *scan) {
-  int64_t n[3];
-  uint16_t row;
-  for (row = 0; row < scan->rows * scan->words; row++) scan->mask[row] = 0;
-  fc_scan_slowly(scan);
-  fc_face_normal(scan->form, n);
-  fc_planar_light(scan, n, fc_i128_dot(n, scan->form->u.triangle.vertex[0]));
+/* A triangle being drawn. */
+typedef struct fc_brush {
+  fc_scan *scan;
+  fc_facet facet;
+  fc_form form;
+  fc_coder coder;
+  bool fetched; /* form holds the vertices */
+  bool plain;   /* colours are final and nothing else is wanted: pixels are written at once */
+  bool clip;    /* the far limit may cut it */
+  bool steep;   /* no affine depth */
+} fc_brush;
+
+static void fetch(fc_brush *brush) {
+  if (brush->fetched) return;
+  fc_triangle_fetch(&brush->scan->at->group, brush->scan->index, &brush->form);
+  brush->fetched = true;
 }
 
-void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
-  (void)frame;
-  (void)shapes;
-  (void)memory;
+static void show(fc_brush *brush, uint16_t row, uint16_t column) {
+  fc_scan *scan = brush->scan;
+  if (brush->plain)
+    fc_scan_unlit(scan, row, column, 1);
+  else
+    scan->mask[row * scan->words + column / 32] |= UINT32_C(1) << (column % 32);
+}
+
+/* A pixel that only the ray engine decides. */
+static void ask(fc_brush *brush, uint16_t row, uint16_t column) {
+  fetch(brush);
+  if (fc_scan_exact(brush->scan, row, column)) show(brush, row, column);
+}
+
+/* near / z in Q30, of the form's values. */
+static bool q30_of(uint32_t p, int16_t drop, uint32_t *q) {
+  if (drop < -1 || drop > 30) return false;
+  *q = drop < 0 ? p << 1 : p >> drop; /* p below 2^31 */
+  return true;
+}
+
+/* A pixel inside the triangle, with everything that may happen to it. */
+static void careful_pixel(fc_brush *brush, uint16_t row, uint16_t column, uint32_t p) {
+  const fc_frame *frame = brush->scan->frame;
+  uint32_t error = brush->facet.error;
+  int32_t code;
+  uint16_t *depth = fc_scan_depth(brush->scan, row, column);
+  if (brush->steep || p <= error || p >> 30 == 3) {
+    ask(brush, row, column);
+    return;
+  }
+  if (brush->clip) {
+    int8_t within = 0;
+    uint32_t q, e = (error << 1) + 2;
+    if (q30_of(p, brush->facet.drop, &q)) {
+      if (q + e < frame->far_low) return;
+      within = q > e && q - e > frame->far_high ? 1 : q >> 30 == 0 ? fc_scan_far(brush->scan, row, column, q, e) : 0;
+    }
+    if (within < 0) return;
+    if (within == 0) {
+      ask(brush, row, column);
+      return;
+    }
+  }
+  fc_coder_follow(&brush->coder, frame, p);
+  code = fc_coder_code(&brush->coder, p, error);
+  if (code < 0 || code == *depth) {
+    ask(brush, row, column);
+  } else if (code > *depth) {
+    *depth = (uint16_t)code;
+    show(brush, row, column);
+  }
+}
+
+/* Up to 32 pixels in one octave, within the far limit; marks those shown. */
+static void pixels(fc_brush *brush, uint16_t row, uint16_t column, uint8_t count, uint32_t p, uint32_t step) {
+  const uint32_t error = brush->facet.error, open = 2 * error, add = brush->coder.half + error;
+  const uint32_t low_bits = 2 * brush->coder.half - 1, base = (uint32_t)brush->coder.base;
+  const uint8_t shift = brush->coder.shift;
+  fc_scan *scan = brush->scan;
+  uint16_t *depth = fc_scan_depth(scan, row, column), *end = depth + count;
+  uint32_t up = p + add;
+  if (brush->plain) {
+    uint8_t *to = fc_scan_pixel(scan, row, column);
+    const uint8_t first = scan->tint.unlit[0], second = scan->tint.unlit[1];
+    do {
+      uint32_t code = (up >> shift) + base, there = *depth;
+      if ((up & low_bits) <= open || code == there) {
+        ask(brush, row, (uint16_t)(column + count - (end - depth)));
+      } else if (code > there) {
+        *depth = (uint16_t)code;
+        to[0] = first;
+        to[1] = second;
+      }
+      up += step;
+      to += 2;
+    } while (++depth != end);
+  } else {
+    uint32_t *mask = scan->mask + row * scan->words + column / 32, bit = UINT32_C(1) << (column % 32), bits = 0;
+    do {
+      uint32_t code = (up >> shift) + base, there = *depth;
+      if ((up & low_bits) <= open || code == there) {
+        ask(brush, row, (uint16_t)(column + count - (end - depth)));
+      } else if (code > there) {
+        *depth = (uint16_t)code;
+        bits |= bit;
+      }
+      up += step;
+      bit <<= 1;
+      if (bit == 0) {
+        *mask++ |= bits;
+        bits = 0;
+        bit = 1;
+      }
+    } while (++depth != end);
+    if (bits != 0) *mask |= bits;
+  }
+}
+
+/* Pixels of a row that are inside for certain; p_row: the form at the row's first column. */
+static void span(fc_brush *brush, uint16_t row, uint16_t first, uint16_t last, uint64_t p_row) {
+  const uint64_t px = brush->facet.px;
+  const uint32_t step = (uint32_t)((px + (UINT32_C(1) << 31)) >> 32), part = (uint32_t)px >> 16;
+  while (first <= last) {
+    uint16_t count = (uint16_t)(last - first + 1);
+    uint32_t p, q, low, high;
+    fc_coder *coder = &brush->coder;
+    if (count > 32) count = 32;
+    /* high words: 16 + 12 bits of the part */
+    p = (uint32_t)(p_row >> 32) + (uint32_t)(px >> 32) * first + ((part * first + ((uint32_t)p_row >> 16)) >> 16);
+    q = p + step * (uint32_t)(count - 1);
+    low = p < q ? p : q;
+    high = p < q ? q : p;
+    if (!brush->steep && !brush->clip && low > brush->facet.error && !(high >> 31)) {
+      fc_coder_follow(coder, brush->scan->frame, p);
+      if (low >= coder->low && high >> 1 < coder->low && coder->base + (int32_t)(low >> coder->shift) > 1 &&
+          coder->base + (int32_t)(high >> coder->shift) < UINT16_MAX - 1) {
+        pixels(brush, row, first, (uint8_t)count, p, step);
+        first = (uint16_t)(first + count);
+        continue;
+      }
+    }
+    for (; count > 0; count--, p += step) careful_pixel(brush, row, first++, p);
+  }
+}
+
+/* One or two edges that bound rows on the same side; forms at a column, steps away from it and down. */
+typedef struct fc_flank {
+  int32_t a, b, ax, bx, ay, by;
+} fc_flank;
+
+static void flank_add(fc_flank *flank, int32_t at, int32_t dx, int32_t dy) {
+  flank->b = flank->a;
+  flank->bx = flank->ax;
+  flank->by = flank->ay;
+  flank->a = at;
+  flank->ax = dx;
+  flank->ay = dy;
+}
+
+/* Rows of a triangle whose edge forms add up to a constant: at most two of them rise to the right, at most two fall. The ends of a
+ * row are found from those of the row before. */
+static void walk_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
+  const fc_facet *facet = &brush->facet;
+  const int32_t never = INT32_C(1) << 30, certain = facet->certain;
+  fc_flank left = {never, never, 0, 0, 0, 0}, right = {never, never, 0, 0, 0, 0};
+  int32_t from = 0, to = columns - 1;
+  uint64_t p = facet->p;
+  uint16_t row;
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    if (facet->dx[i] >= 0)
+      flank_add(&left, facet->at[i], facet->dx[i], facet->dy[i]);
+    else
+      flank_add(&right, facet->at[i] + facet->dx[i] * to, -facet->dx[i], facet->dy[i]);
+  }
+  for (row = 0; row < rows; row++, p += facet->py) {
+    while (from < columns && (left.a | left.b) < 0) {
+      left.a += left.ax;
+      left.b += left.bx;
+      from++;
+    }
+    while (from > 0 && ((left.a - left.ax) | (left.b - left.bx)) >= 0) {
+      left.a -= left.ax;
+      left.b -= left.bx;
+      from--;
+    }
+    while (to >= 0 && (right.a | right.b) < 0) {
+      right.a += right.ax;
+      right.b += right.bx;
+      to--;
+    }
+    while (to < columns - 1 && ((right.a - right.ax) | (right.b - right.bx)) >= 0) {
+      right.a -= right.ax;
+      right.b -= right.bx;
+      to++;
+    }
+    if (from <= to) {
+      int32_t first = from, last = to, a = left.a - certain, b = left.b - certain;
+      for (; first <= last && (a | b) < 0; a += left.ax, b += left.bx) ask(brush, row, (uint16_t)first++);
+      a = right.a - certain;
+      b = right.b - certain;
+      for (; first <= last && (a | b) < 0; a += right.ax, b += right.bx) ask(brush, row, (uint16_t)last--);
+      if (first <= last) span(brush, row, (uint16_t)first, (uint16_t)last, p);
+    }
+    left.a += left.ay;
+    left.b += left.by;
+    right.a += right.ay;
+    right.b += right.by;
+  }
+}
+
+/* Cuts *first .. *last to the columns where a form is at least `bound`. */
+static void cut_row(int32_t at, int32_t dx, int32_t bound, uint16_t columns, int32_t *first, int32_t *last) {
+  int32_t bit, x = -1;
+  if (dx == 0) {
+    if (at < bound) *first = columns;
+    return;
+  }
+  if (dx > 0) {
+    /* x: the last column below the bound */
+    for (bit = 4096; bit > 0; bit >>= 1)
+      if (x + bit < columns && at + dx * (x + bit) < bound) x += bit;
+    if (x + 1 > *first) *first = x + 1;
+  } else {
+    /* x: the last column not below it */
+    for (bit = 4096; bit > 0; bit >>= 1)
+      if (x + bit < columns && at + dx * (x + bit) >= bound) x += bit;
+    if (x < *last) *last = x;
+  }
+}
+
+/* Rows of any triangle: each end by bisection. */
+static void cut_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
+  const fc_facet *facet = &brush->facet;
+  int32_t at[3];
+  uint64_t p = facet->p;
+  uint16_t row;
+  uint8_t i;
+  for (i = 0; i < 3; i++) at[i] = facet->at[i];
+  for (row = 0; row < rows; row++, p += facet->py) {
+    int32_t first = 0, last = columns - 1, inner_first, inner_last;
+    for (i = 0; i < 3; i++) cut_row(at[i], facet->dx[i], 0, columns, &first, &last);
+    inner_first = first;
+    inner_last = last;
+    for (i = 0; i < 3; i++) cut_row(at[i], facet->dx[i], facet->certain, columns, &inner_first, &inner_last);
+    if (inner_first > inner_last) {
+      for (; first <= last; first++) ask(brush, row, (uint16_t)first);
+    } else {
+      for (; first < inner_first; first++) ask(brush, row, (uint16_t)first);
+      for (; last > inner_last; last--) ask(brush, row, (uint16_t)last);
+      span(brush, row, (uint16_t)first, (uint16_t)last, p);
+    }
+    for (i = 0; i < 3; i++) at[i] += facet->dy[i];
+  }
+}
+
+/* A tile's triangle is in the mask: colours and light. */
+static void finish(fc_brush *brush) {
+  fc_scan *scan = brush->scan;
+  int64_t n[3];
+  uint16_t i;
+  uint32_t any = 0;
+  for (i = 0; i < scan->rows * scan->words; i++) any |= scan->mask[i];
+  if (any == 0) return;
+  fetch(brush);
+  fc_scan_tint(scan);
+  fc_face_normal(&brush->form, n);
+  fc_planar_light(scan, n, fc_i128_dot(n, brush->form.u.triangle.vertex[0]));
+}
+
+/* Starts a tile. */
+static void aim(fc_brush *brush, const fc_tile *tile) {
+  fc_scan *scan = brush->scan;
+  uint16_t i;
+  scan->x = (uint16_t)tile->x0;
+  scan->y = (uint16_t)tile->y0;
+  scan->columns = (uint16_t)(tile->x1 - tile->x0 + 1);
+  if (brush->plain) return;
+  scan->rows = (uint8_t)(tile->y1 - tile->y0 + 1);
+  scan->words = (uint8_t)((scan->columns + 31) / 32);
+  for (i = 0; i < scan->rows * scan->words; i++) scan->mask[i] = 0;
+}
+
+/* The largest tile at (x, y) that the masks hold. */
+static void next_tile(const fc_brush *brush, const fc_tile *box, int32_t x, int32_t y, fc_tile *tile) {
+  int32_t rows = box->y1 - y + 1, columns = box->x1 - x + 1;
+  if (!brush->plain) {
+    int32_t high = FC_SCAN_ROWS;
+    if (columns > FC_SCAN_WORDS * 32) columns = FC_SCAN_WORDS * 32;
+    while (high * ((columns + 31) / 32) > FC_SCAN_WORDS) high /= 2;
+    if (rows > high) rows = high;
+  }
+  tile->x0 = x;
+  tile->x1 = x + columns - 1;
+  tile->y0 = y;
+  tile->y1 = y + rows - 1;
+}
+
+/* Whether all of it is within the far limit. */
+static bool beyond_doubt(const fc_frame *frame, const fc_facet *facet) {
+  uint32_t q;
+  return q30_of(facet->least, facet->drop, &q) && q > frame->far_high;
+}
+
+/* The coder at the tile's greatest p, and whether the far limit matters. */
+static void start_depth(fc_brush *brush) {
+  fc_scan *scan = brush->scan;
+  brush->clip = scan->clip_far && !beyond_doubt(scan->frame, &brush->facet);
+  if (!brush->steep) fc_coder_start(&brush->coder, scan->frame, brush->facet.drop, UINT32_C(1) << 30);
+}
+
+/* From screen coordinates; false when they do not tell enough. */
+static bool draw_projected(fc_brush *brush, const fc_placed_mesh *mesh, const fc_corners *corners, const fc_tile *box,
+                           const fc_tile *seen) {
+  int32_t x, y;
+  fc_tile tile;
+  for (y = seen->y0; y <= seen->y1; y = tile.y1 + 1) {
+    for (x = seen->x0; x <= seen->x1; x = tile.x1 + 1) {
+      bool hidden;
+      next_tile(brush, seen, x, y, &tile);
+      if (!fc_facet_edges(&brush->facet, brush->scan->frame, corners, box, &tile, brush->form.u.triangle.hidden, &hidden))
+        return false;
+      if (hidden) return true;
+      brush->steep = !fc_facet_depth(&brush->facet, brush->scan->frame, mesh, corners, box, &tile);
+      start_depth(brush);
+      aim(brush, &tile);
+      walk_rows(brush, brush->scan->columns, (uint16_t)(tile.y1 - tile.y0 + 1));
+      if (!brush->plain) finish(brush);
+    }
+  }
+  return true;
+}
+
+static void draw_exactly(fc_brush *brush, const fc_tile *seen) {
+  const int64_t eye[3] = {0, 0, 0};
+  fc_prepared prepared;
+  int32_t x, y;
+  fc_tile tile;
+  int8_t side;
+  fetch(brush);
+  fc_kind_of(brush->scan->at)->prepare(&brush->form, eye, &prepared);
+  side = fc_i128_sign(prepared.u.triangle.side);
+  if (side == 0 || side == brush->form.u.triangle.hidden) return;
+  for (y = seen->y0; y <= seen->y1; y = tile.y1 + 1) {
+    for (x = seen->x0; x <= seen->x1; x = tile.x1 + 1) {
+      next_tile(brush, seen, x, y, &tile);
+      aim(brush, &tile);
+      if (fc_facet_exact(&brush->facet, brush->scan->frame, &prepared, &tile)) {
+        brush->steep = false;
+        start_depth(brush);
+        cut_rows(brush, brush->scan->columns, (uint16_t)(tile.y1 - tile.y0 + 1));
+      } else {
+        uint16_t row, column;
+        for (row = 0; row <= tile.y1 - tile.y0; row++)
+          for (column = 0; column < brush->scan->columns; column++) ask(brush, row, column);
+      }
+      if (!brush->plain) finish(brush);
+    }
+  }
+}
+
+/* A corner's coordinate; up 2^exponent that fits, as the mesh has made sure. */
+static int32_t place(int32_t a, int8_t up, uint32_t mantissa) {
+  a = up >= 0 ? a * (INT32_C(1) << up) : fc_floor_shift32(a, up < -31 ? 31 : (uint8_t)-up);
+  return fc_smulhi(a, mantissa);
+}
+
+static void bounds(const int32_t at[3], uint8_t fraction, uint16_t size, int32_t *low, int32_t *high) {
+  int32_t a = at[0] < at[1] ? at[0] : at[1], b = at[0] < at[1] ? at[1] : at[0];
+  int32_t middle = (size - 1) * (INT32_C(1) << (fraction - 1));
+  if (at[2] < a) a = at[2];
+  if (at[2] > b) b = at[2];
+  *low = fc_floor_shift32(a + middle - FC_CORNER_ERROR - 1, fraction) + 1;
+  *high = fc_floor_shift32(b + middle + FC_CORNER_ERROR, fraction);
+}
+
+static void draw_item(fc_brush *brush, const fc_placed_mesh *mesh, const fc_triangle *item, uint16_t rows) {
+  fc_scan *scan = brush->scan;
+  const fc_frame *frame = scan->frame;
+  const fc_placed_vertex *vertices = fc_mesh_vertices(mesh);
+  fc_corners corners;
+  fc_tile box, seen;
+  int32_t last = (int32_t)scan->strip + rows - 1;
+  uint32_t mantissa[3];
+  int8_t up[3];
+  uint8_t i;
+  bool placed = true;
+  for (i = 0; i < 3; i++) {
+    uint32_t s = vertices[item->vertex[i]].seen;
+    if (s == 0) placed = false;
+    corners.seen[i] = s;
+    mantissa[i] = fc_seen_mantissa(s);
+    up[i] = (int8_t)(fc_seen_exponent(s) - mesh->shift);
+  }
+  if (placed) {
+    corners.fraction = mesh->fraction;
+    for (i = 0; i < 3; i++) corners.y[i] = place(-vertices[item->vertex[i]].p[1], up[i], mantissa[i]);
+    bounds(corners.y, mesh->fraction, frame->height, &box.y0, &box.y1);
+    seen.y0 = box.y0 > scan->strip ? box.y0 : scan->strip;
+    seen.y1 = box.y1 < last ? box.y1 : last;
+    if (seen.y0 > seen.y1) return;
+    for (i = 0; i < 3; i++) corners.x[i] = place(vertices[item->vertex[i]].p[0], up[i], mantissa[i]);
+    bounds(corners.x, mesh->fraction, frame->width, &box.x0, &box.x1);
+    seen.x0 = box.x0 > 0 ? box.x0 : 0;
+    seen.x1 = box.x1 < frame->width - 1 ? box.x1 : frame->width - 1;
+    if (seen.x0 > seen.x1) return;
+    if (draw_projected(brush, mesh, &corners, &box, &seen)) return;
+  } else {
+    seen.x0 = 0;
+    seen.x1 = frame->width - 1;
+    seen.y0 = scan->strip;
+    seen.y1 = last;
+  }
+  draw_exactly(brush, &seen);
+}
+
+void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
+  const fc_group *group = &scan->at->group;
+  const fc_placed_mesh *mesh = group->memory;
+  fc_brush brush;
+  fc_bin_walk walk;
+  brush.scan = scan;
+  brush.plain = scan->frame->light == FC_LIGHT_NONE && scan->pixel_bytes == 2 && scan->target->primitive == NULL &&
+                scan->target->lit == NULL;
+  brush.form.u.triangle.hidden = group->shapes.cull ? -1 : 0;
+  scan->form = &brush.form;
+  fc_bin_start(&walk, group, scan->strip, (uint16_t)(scan->strip + rows - 1));
+  while ((scan->index = fc_bin_next(&walk)) != FC_BIN_END) {
+    fc_triangle item;
+    FC_READ(&item, (const fc_triangle *)group->shapes.items + scan->index, sizeof item);
+    scan->primitive = (uint16_t)(group->first + scan->index);
+    brush.fetched = false;
+    brush.form.material = item.material;
+    brush.form.object = item.object;
+    if (brush.plain) fc_scan_tint(scan);
+    draw_item(&brush, mesh, &item, rows);
+  }
 }
 
 void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {

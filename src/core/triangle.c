@@ -2,13 +2,10 @@
 #include "bits.h"
 #include "fixcast/error.h"
 #include "kind.h"
+#include "mesh.h"
 #include "scan_kinds.h"
 #include "tally.h"
 #include "view.h"
-
-typedef struct placed_vertex {
-  int32_t p[3];
-} placed_vertex;
 
 static void read_item(const fc_shapes *shapes, uint16_t index, fc_triangle *triangle) {
   FC_READ(triangle, (const fc_triangle *)shapes->items + index, sizeof *triangle);
@@ -38,11 +35,6 @@ static int check(const fc_scene *scene, const fc_shapes *shapes) {
   return FC_OK;
 }
 
-static size_t memory(const fc_shapes *shapes) {
-  size_t bytes = (size_t)shapes->vertex_count * sizeof(placed_vertex);
-  return (bytes + 7) / 8 * 8;
-}
-
 static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   fc_num most = {0, 0};
   uint16_t i;
@@ -59,7 +51,7 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
 }
 
 static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
-  placed_vertex *placed = to;
+  fc_placed_vertex *placed = (fc_placed_vertex *)(void *)((fc_placed_mesh *)to + 1);
   uint16_t i;
   for (i = 0; i < shapes->vertex_count; i++) {
     fc_vec3 v;
@@ -69,6 +61,7 @@ static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
     placed[i].p[0] = (int32_t)p[0];
     placed[i].p[1] = (int32_t)p[1];
     placed[i].p[2] = (int32_t)p[2];
+    placed[i].seen = 0;
   }
 }
 
@@ -78,10 +71,12 @@ void fc_triangle_fetch(const fc_group *group, uint16_t index, fc_form *form) {
   read_item(&group->shapes, index, &t);
   form->material = t.material;
   form->object = t.object;
+  /* the camera's axes are left-handed: there, outward normals turn inwards */
+  form->u.triangle.hidden = !group->shapes.cull ? 0 : group->memory != NULL ? -1 : 1;
   for (i = 0; i < 3; i++) {
     int64_t *to = form->u.triangle.vertex[i];
     if (group->memory != NULL) {
-      const placed_vertex *v = (const placed_vertex *)group->memory + t.vertex[i];
+      const fc_placed_vertex *v = fc_mesh_vertices(group->memory) + t.vertex[i];
       to[0] = v->p[0];
       to[1] = v->p[1];
       to[2] = v->p[2];
@@ -130,6 +125,7 @@ static void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *p
     for (j = 0; j < 3; j++) prepared->u.triangle.filter[i][j] = (int32_t)small[j];
   }
   fc_face_normal(form, prepared->u.triangle.normal);
+  prepared->u.triangle.hidden = form->u.triangle.hidden;
   prepared->u.triangle.side = fc_i128_dot(prepared->u.triangle.normal, v[0]); /* 63 + 31 + 2 bits */
 }
 
@@ -156,7 +152,7 @@ static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_
   int64_t reach = fc_small_norm1(direction);
   int8_t side = fc_i128_sign(prepared->u.triangle.side);
   fc_i128 along;
-  if (side == 0 || edge_sign(prepared, 0, direction, reach) != side || edge_sign(prepared, 1, direction, reach) != side ||
+  if (side == 0 || side == prepared->u.triangle.hidden || edge_sign(prepared, 0, direction, reach) != side || edge_sign(prepared, 1, direction, reach) != side ||
       edge_sign(prepared, 2, direction, reach) != side)
     return 0;
   /* The edge forms add up to normal . direction, which therefore has the sign of `side` too. */
@@ -296,7 +292,7 @@ static void weights(const fc_prepared *prepared, const int64_t direction[3], uin
 }
 
 static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
-  const placed_vertex *placed = group->memory;
+  const fc_placed_vertex *placed = fc_mesh_vertices(group->memory);
   uint16_t i;
   (void)frame;
   for (i = 0; i < group->shapes.count; i++) {
@@ -317,7 +313,7 @@ static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *
 }
 
 const fc_kind fc_kind_triangle FC_ROM = {check,
-                                         memory,
+                                         fc_mesh_memory,
                                          extent,
                                          place,
                                          fc_triangle_fetch,
@@ -331,7 +327,7 @@ const fc_kind fc_kind_triangle FC_ROM = {check,
                                          depth_range,
                                          fc_triangle_project,
                                          fc_triangle_window,
-                                         fc_triangle_draw,
+                                         NULL, /* draw: strips are drawn whole */
                                          fc_triangle_shadow,
                                          fc_triangle_between,
-                                         fc_scan_each};
+                                         fc_triangle_strip};

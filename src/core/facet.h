@@ -1,0 +1,49 @@
+/*
+ * A triangle over a rectangle of pixels, as affine forms of the column and the row: three edges and near / z.
+ *
+ * Edge forms are 32-bit integers. A pixel's centre is outside for certain where one of them is below 0, inside for certain where
+ * all of them are at least `certain`; in between the ray engine is asked. near / z = p / 2^(62 + drop), off by at
+ * most error / 2^(30 + drop) at the pixels inside.
+ */
+#ifndef FC_FACET_H
+#define FC_FACET_H
+
+#include "mesh.h"
+
+typedef struct fc_facet {
+  int32_t at[3], dx[3], dy[3]; /* at the rectangle's first pixel; to the next column; to the next row */
+  int32_t certain;
+  uint64_t p, px, py;          /* two's complement */
+  uint32_t error, least;       /* p / 2^32 is nowhere inside less than `least` */
+  int16_t drop;
+} fc_facet;
+
+/* Corners on the screen: 2^fraction units a pixel from the frame's centre, x to the right, y downwards. Each is within
+ * FC_CORNER_ERROR units of the true place. */
+typedef struct fc_corners {
+  int32_t x[3], y[3];
+  uint32_t seen[3];
+  uint8_t fraction;
+} fc_corners;
+
+/* 2 from rounding, and 2^30 times the relative error 2^-27 that x, y and near / z have in common. */
+#define FC_CORNER_ERROR 10
+
+/* A rectangle of pixels, x1 and y1 included. */
+typedef struct fc_tile {
+  int32_t x0, x1, y0, y1;
+} fc_tile;
+
+/* Edge forms over `tile`, which lies within `box`, the pixels around the corners. False when the corners tell too little; *hidden
+ * when they say that the triangle faces the way that is not drawn (`hidden` as in fc_form). */
+bool fc_facet_edges(fc_facet *facet, const fc_frame *frame, const fc_corners *corners, const fc_tile *box,
+                    const fc_tile *tile, int8_t hidden_side, bool *hidden);
+
+/* near / z over the tile; false when it is too steep. */
+bool fc_facet_depth(fc_facet *facet, const fc_frame *frame, const fc_placed_mesh *mesh, const fc_corners *corners,
+                    const fc_tile *box, const fc_tile *tile);
+
+/* Both from the prepared form: no vertex need be in front of the eye. False when the triangle is seen edge-on. */
+bool fc_facet_exact(fc_facet *facet, const fc_frame *frame, const fc_prepared *prepared, const fc_tile *tile);
+
+#endif
