@@ -77,12 +77,25 @@ std::string c_table(const char *type, const std::string &name, const char *field
   return text + "};\n\n";
 }
 
+/* One table has the plain name, several are numbered. */
+std::string table_name(const std::string &name, const std::string &what, const CoreScene &core, std::size_t table) {
+  return name + "_" + what + (core.triangle_tables.size() > 1 ? "_" + std::to_string(table + 1) : "");
+}
+
+template <typename T>
+std::vector<T> part(const std::vector<T> &whole, std::size_t first, std::size_t count) {
+  const auto from = whole.begin() + static_cast<std::ptrdiff_t>(first);
+  return {from, from + static_cast<std::ptrdiff_t>(count)};
+}
+
 std::string c_shapes(const std::string &name, const CoreScene &core) {
   if (core.shapes.empty()) return "";
   std::string text = "static const fc_shapes " + name + "_shapes[] FC_ROM = {\n";
   if (!core.spheres.empty()) text += "  FC_SPHERES(" + name + "_spheres),\n";
   if (!core.planes.empty()) text += "  FC_PLANES(" + name + "_planes),\n";
-  if (!core.triangles.empty()) text += "  FC_TRIANGLES(" + name + "_vertices, " + name + "_triangles),\n";
+  for (std::size_t i = 0; i < core.triangle_tables.size(); i++)
+    text += std::string(core.triangle_tables[i].closed ? "  FC_TRIANGLES_CLOSED(" : "  FC_TRIANGLES(") +
+            table_name(name, "vertices", core, i) + ", " + table_name(name, "triangles", core, i) + "),\n";
   return text + "};\n\n";
 }
 
@@ -147,8 +160,13 @@ std::string bake(const CoreScene &core, std::size_t frame_memory_bytes, const st
   text += "extern const fc_scene " + name + ";\nextern const fc_camera " + name + "_camera;\n\n";
   text += c_table("fc_sphere", name + "_spheres", "centre, radius, material, object", core.spheres);
   text += c_table("fc_plane", name + "_planes", "normal, d, d_exponent, material, object", core.planes);
-  text += c_table("fc_vec3", name + "_vertices", "x, y, z", core.vertices);
-  text += c_table("fc_triangle", name + "_triangles", "vertices, material, object", core.triangles);
+  for (std::size_t i = 0; i < core.triangle_tables.size(); i++) {
+    const TriangleTable &table = core.triangle_tables[i];
+    text += c_table("fc_vec3", table_name(name, "vertices", core, i), "x, y, z",
+                    part(core.vertices, table.vertex, table.vertices));
+    text += c_table("fc_triangle", table_name(name, "triangles", core, i), "vertices, material, object",
+                    part(core.triangles, table.triangle, table.triangles));
+  }
   text += c_table("fc_material", name + "_materials", "diffuse, Q1.15", core.materials);
   text += c_table("fc_light", name + "_lights",
                   "position, intensity, exponent, intensity_exponent, inverse_square", core.lights);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <tuple>
 
+#include "closed_mesh.h"
 #include "triangulate.h"
 
 namespace host {
@@ -86,8 +87,9 @@ public:
       add(p);
     for (const Light &l : file_.lights)
       add(l);
-    finish_scene();
     set_camera();
+    split_triangles();
+    finish_scene();
     return std::move(out_);
   }
 
@@ -259,6 +261,41 @@ private:
     out_.lights.push_back(light);
   }
 
+  /* Runs of closed meshes and of everything else, in the author's order, each with vertices of its own. A table costs
+   * the core some memory, so a scene that alternates often stays in one. */
+  void split_triangles() {
+    constexpr std::size_t most = 16;
+    const std::size_t count = out_.triangles.size();
+    const fc_camera &camera = out_.camera;
+    const std::array<long double, 3> eye = {std::ldexp(static_cast<long double>(camera.eye.x), camera.exponent),
+                                            std::ldexp(static_cast<long double>(camera.eye.y), camera.exponent),
+                                            std::ldexp(static_cast<long double>(camera.eye.z), camera.exponent)};
+    std::vector<bool> closed = in_closed_mesh(out_.vertices, out_.triangles, eye);
+    std::size_t runs = 1;
+    for (std::size_t i = 1; i < count; i++)
+      runs += closed[i] != closed[i - 1];
+    if (runs > most) closed.assign(count, false);
+    std::vector<fc_vec3> vertices;
+    std::map<std::uint16_t, std::uint16_t> renamed;
+    for (std::size_t i = 0; i < count; i++) {
+      if (i == 0 || closed[i] != closed[i - 1]) {
+        out_.triangle_tables.push_back({i, 0, vertices.size(), 0, closed[i]});
+        renamed.clear();
+      }
+      TriangleTable &table = out_.triangle_tables.back();
+      table.triangles++;
+      for (std::uint16_t &v : out_.triangles[i].vertex) {
+        const auto [found, is_new] = renamed.insert({v, static_cast<std::uint16_t>(table.vertices)});
+        if (is_new) {
+          vertices.push_back(out_.vertices[v]);
+          table.vertices++;
+        }
+        v = found->second;
+      }
+    }
+    out_.vertices = std::move(vertices);
+  }
+
   template <typename T>
   void add_table(const fc_kind *kind, const std::vector<T> &table) {
     if (table.empty()) return;
@@ -268,11 +305,10 @@ private:
   void finish_scene() {
     add_table(&fc_kind_sphere, out_.spheres);
     add_table(&fc_kind_plane, out_.planes);
-    add_table(&fc_kind_triangle, out_.triangles);
-    if (!out_.triangles.empty()) {
-      out_.shapes.back().vertices = out_.vertices.data();
-      out_.shapes.back().vertex_count = static_cast<std::uint16_t>(out_.vertices.size());
-    }
+    for (const TriangleTable &table : out_.triangle_tables)
+      out_.shapes.push_back({&fc_kind_triangle, out_.triangles.data() + table.triangle, out_.vertices.data() + table.vertex,
+                             static_cast<std::uint16_t>(table.triangles), static_cast<std::uint16_t>(table.vertices),
+                             static_cast<std::uint8_t>(table.closed)});
     fc_scene &scene = out_.scene;
     scene.shapes = out_.shapes.data();
     scene.shape_count = static_cast<std::uint16_t>(out_.shapes.size());

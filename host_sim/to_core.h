@@ -16,6 +16,12 @@
 
 namespace host {
 
+/* A run of triangles, and the vertices they index, counted from the run's first. */
+struct TriangleTable {
+  std::size_t triangle = 0, triangles = 0, vertex = 0, vertices = 0;
+  bool closed = false; /* its back faces need not be drawn (closed_mesh.h) */
+};
+
 /* The core's tables and the memory they live in. Moving keeps the pointers inside; copying would not. */
 struct CoreScene {
   CoreScene() = default;
@@ -26,8 +32,9 @@ struct CoreScene {
 
   std::vector<fc_sphere> spheres;
   std::vector<fc_plane> planes;
-  std::vector<fc_vec3> vertices; /* no two alike */
+  std::vector<fc_vec3> vertices; /* no two of a table alike */
   std::vector<fc_triangle> triangles;
+  std::vector<TriangleTable> triangle_tables; /* in the scene's order: closed meshes apart from the rest */
   std::vector<fc_material> materials; /* no two alike */
   std::vector<fc_light> lights;
   std::vector<fc_shapes> shapes; /* spheres, planes, triangles, without the empty ones */
