@@ -187,7 +187,7 @@ void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *m
     range rows;
     uint8_t level = 0, shift = mesh->band_shift;
     uint16_t *head;
-    FC_READ(&t, (const fc_triangle *)shapes->items + (i - 1), sizeof t);
+    fc_read_triangle(shapes, (uint16_t)(i - 1), &t);
     for (j = 0; j < 3; j++) v[j] = &vertices[t.vertex[j]];
     if (!rows_of(frame, mesh, v, shapes->cull, &rows)) continue;
     while ((rows.high - rows.low) >> shift != 0) {

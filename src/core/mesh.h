@@ -42,6 +42,22 @@ static inline const fc_placed_vertex *fc_mesh_vertices(const fc_placed_mesh *mes
   return (const fc_placed_vertex *)(const void *)(mesh + 1);
 }
 
+static inline void fc_read_triangle(const fc_shapes *shapes, uint16_t index, fc_triangle *t) {
+#ifdef FC_ROM_FAR
+  FC_READ(t, (const fc_triangle *)shapes->items + index, sizeof *t);
+#else
+  *t = ((const fc_triangle *)shapes->items)[index];
+#endif
+}
+
+static inline void fc_read_vertex(const fc_shapes *shapes, uint16_t index, fc_vec3 *v) {
+#ifdef FC_ROM_FAR
+  FC_READ(v, shapes->vertices + index, sizeof *v);
+#else
+  *v = shapes->vertices[index];
+#endif
+}
+
 /* The next triangle of the same bin. */
 static inline const uint16_t *fc_mesh_next(const fc_placed_mesh *mesh, const fc_shapes *shapes) {
   return (const uint16_t *)(const void *)(fc_mesh_vertices(mesh) + shapes->vertex_count);

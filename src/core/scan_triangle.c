@@ -431,7 +431,7 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
   fc_bin_start(&walk, group, scan->strip, (uint16_t)(scan->strip + rows - 1));
   while ((scan->index = fc_bin_next(&walk)) != FC_BIN_END) {
     fc_triangle item;
-    FC_READ(&item, (const fc_triangle *)group->shapes.items + scan->index, sizeof item);
+    fc_read_triangle(&group->shapes, scan->index, &item);
     scan->primitive = (uint16_t)(group->first + scan->index);
     brush.fetched = false;
     brush.form.material = item.material;

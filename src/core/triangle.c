@@ -7,27 +7,19 @@
 #include "tally.h"
 #include "view.h"
 
-static void read_item(const fc_shapes *shapes, uint16_t index, fc_triangle *triangle) {
-  FC_READ(triangle, (const fc_triangle *)shapes->items + index, sizeof *triangle);
-}
-
-static void read_vertex(const fc_shapes *shapes, uint16_t index, fc_vec3 *v) {
-  FC_READ(v, shapes->vertices + index, sizeof *v);
-}
-
 static int check(const fc_scene *scene, const fc_shapes *shapes) {
   uint16_t i;
   if (shapes->vertices == NULL && shapes->vertex_count > 0) return FC_ERR_NULL;
   for (i = 0; i < shapes->vertex_count; i++) {
     fc_vec3 v;
-    read_vertex(shapes, i, &v);
+    fc_read_vertex(shapes, i, &v);
     if (fc_abs32(v.x) > (uint32_t)FC_COORDINATE_MAX || fc_abs32(v.y) > (uint32_t)FC_COORDINATE_MAX ||
         fc_abs32(v.z) > (uint32_t)FC_COORDINATE_MAX)
       return FC_ERR_COORDINATE;
   }
   for (i = 0; i < shapes->count; i++) {
     fc_triangle t;
-    read_item(shapes, i, &t);
+    fc_read_triangle(shapes, i, &t);
     if (t.vertex[0] >= shapes->vertex_count || t.vertex[1] >= shapes->vertex_count ||
         t.vertex[2] >= shapes->vertex_count || t.material >= scene->material_count)
       return FC_ERR_INDEX;
@@ -35,40 +27,114 @@ static int check(const fc_scene *scene, const fc_shapes *shapes) {
   return FC_OK;
 }
 
+/* The eye in whole world coordinates, floor; false when it is out of their range. */
+static bool whole_eye(const fc_view *view, int32_t eye[3]) {
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    int64_t e = fc_floor_shift64(view->eye[i], view->fine);
+    if (fc_abs64(e) > (uint64_t)FC_COORDINATE_MAX) return false;
+    eye[i] = (int32_t)e;
+  }
+  return true;
+}
+
+static fc_num exact_distance(const fc_view *view, const fc_vec3 *v) {
+  int64_t offset[3];
+  fc_view_offset(view, v, offset);
+  return fc_length(offset);
+}
+
 static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   fc_num most = {0, 0};
+  int32_t eye[3] = {0, 0, 0};
+  uint32_t all = 0, sure = 0;
   uint16_t i;
+  uint8_t shift;
+  bool quick = whole_eye(view, eye);
+  if (quick)
+    for (i = 0; i < shapes->vertex_count; i++) {
+      fc_vec3 v;
+      fc_read_vertex(shapes, i, &v);
+      all |= fc_abs32(v.x - eye[0]) | fc_abs32(v.y - eye[1]) | fc_abs32(v.z - eye[2]);
+    }
+  shift = (uint8_t)(32 - (all == 0 ? 32 : fc_clz32(all)));
+  shift = shift > 14 ? (uint8_t)(shift - 14) : 0;
   for (i = 0; i < shapes->vertex_count; i++) {
     fc_vec3 v;
-    int64_t offset[3];
     fc_num distance;
-    read_vertex(shapes, i, &v);
-    fc_view_offset(view, &v, offset);
-    distance = fc_length(offset);
+    fc_read_vertex(shapes, i, &v);
+    if (quick) {
+      /* offsets are off by less than 1: below (a + 2) 2^shift, at least (a - 1) 2^shift, a below 2^14 */
+      uint32_t x = fc_abs32(v.x - eye[0]) >> shift, y = fc_abs32(v.y - eye[1]) >> shift, z = fc_abs32(v.z - eye[2]) >> shift;
+      if ((x + 2) * (x + 2) + (y + 2) * (y + 2) + (z + 2) * (z + 2) <= sure) continue;
+      x -= x > 0;
+      y -= y > 0;
+      z -= z > 0;
+      if (x * x + y * y + z * z > sure) sure = x * x + y * y + z * z;
+    }
+    distance = exact_distance(view, &v);
     if (fc_num_compare(distance, most) > 0) most = distance;
   }
   return most;
 }
 
+/* fc_view_point in 64 bits: (row . v + constant) / 2^down, floor; false where it does not fit. */
+typedef struct transform {
+  int64_t constant[3];
+  uint8_t down;
+} transform;
+
+static bool find_transform(const fc_view *view, transform *to) {
+  /* round((row . v 2^fine - row . eye) / 2^s) = floor((row . v + floor((2^(s-1) - row . eye) / 2^fine)) / 2^(s - fine)) */
+  int32_t s = 30 + view->shift;
+  uint8_t i;
+  if (s < view->fine || s - view->fine > 62) return false;
+  to->down = (uint8_t)(s - view->fine);
+  for (i = 0; i < 3; i++) {
+    int64_t row[3];
+    fc_i128 c;
+    row[0] = view->row[i][0];
+    row[1] = view->row[i][1];
+    row[2] = view->row[i][2];
+    c = fc_i128_neg(fc_i128_dot(row, view->eye));
+    if (s > 0) c = fc_i128_add(c, fc_i128_shift_left(fc_i128_from(1), (uint8_t)(s - 1)));
+    c = fc_i128_floor_shift(c, view->fine);
+    /* a unit row times a vector below 3 2^30: below 2^62 */
+    if (fc_i128_bits(c) > 62) return false;
+    to->constant[i] = fc_i128_to_i64(c);
+  }
+  return true;
+}
+
 static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   fc_placed_vertex *placed = (fc_placed_vertex *)(void *)((fc_placed_mesh *)to + 1);
+  transform t;
+  bool quick = find_transform(view, &t);
   uint16_t i;
+  uint8_t j;
   for (i = 0; i < shapes->vertex_count; i++) {
     fc_vec3 v;
-    int64_t p[3];
-    read_vertex(shapes, i, &v);
-    (void)fc_view_point(view, &v, 0, p); /* within range: the grid was chosen for it */
-    placed[i].p[0] = (int32_t)p[0];
-    placed[i].p[1] = (int32_t)p[1];
-    placed[i].p[2] = (int32_t)p[2];
+    fc_read_vertex(shapes, i, &v);
     placed[i].seen = 0;
+    if (quick) {
+      for (j = 0; j < 3; j++) {
+        const int32_t *row = view->row[j];
+        /* below 2^61 2^0.8, and the constant's 2^62 */
+        int64_t sum = fc_smul32(row[0], v.x) + fc_smul32(row[1], v.y) + fc_smul32(row[2], v.z) + t.constant[j];
+        placed[i].p[j] = fc_to_i32((uint32_t)(uint64_t)fc_floor_shift64(sum, t.down));
+      }
+    } else {
+      int64_t p[3];
+      (void)fc_view_point(view, &v, 0, p); /* within range: the grid was chosen for it */
+      for (j = 0; j < 3; j++) placed[i].p[j] = (int32_t)p[j];
+    }
   }
 }
 
 void fc_triangle_fetch(const fc_group *group, uint16_t index, fc_form *form) {
   fc_triangle t;
   uint8_t i;
-  read_item(&group->shapes, index, &t);
+  fc_read_triangle(&group->shapes, index, &t);
   form->material = t.material;
   form->object = t.object;
   /* the camera's axes are left-handed: there, outward normals turn inwards */
@@ -82,7 +148,7 @@ void fc_triangle_fetch(const fc_group *group, uint16_t index, fc_form *form) {
       to[2] = v->p[2];
     } else {
       fc_vec3 v;
-      read_vertex(&group->shapes, t.vertex[i], &v);
+      fc_read_vertex(&group->shapes, t.vertex[i], &v);
       to[0] = v.x;
       to[1] = v.y;
       to[2] = v.z;
@@ -291,15 +357,35 @@ static void weights(const fc_prepared *prepared, const int64_t direction[3], uin
   }
 }
 
+/* Of all vertices, if they are in front of the eye; false otherwise. */
+static bool vertex_range(const fc_group *group, uint32_t *near, uint32_t *far) {
+  const fc_placed_vertex *v = fc_mesh_vertices(group->memory), *end = v + group->shapes.vertex_count;
+  int32_t low = INT32_MAX, high = 0;
+  for (; v != end; v++) {
+    if (v->p[2] < low) low = v->p[2];
+    if (v->p[2] > high) high = v->p[2];
+  }
+  *near = (uint32_t)low;
+  *far = (uint32_t)high;
+  return low > 0;
+}
+
 static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
   const fc_placed_vertex *placed = fc_mesh_vertices(group->memory);
+  uint32_t least, most;
   uint16_t i;
   (void)frame;
+  if (group->shapes.count == 0) return;
+  if (vertex_range(group, &least, &most)) {
+    if (least < *near) *near = least;
+    if (most > *far) *far = most;
+    return;
+  }
   for (i = 0; i < group->shapes.count; i++) {
     fc_triangle t;
     int32_t low, high;
     uint8_t j;
-    read_item(&group->shapes, i, &t);
+    fc_read_triangle(&group->shapes, i, &t);
     low = high = placed[t.vertex[0]].p[2];
     for (j = 1; j < 3; j++) {
       int32_t z = placed[t.vertex[j]].p[2];
