@@ -202,28 +202,33 @@ static void start_row(const fc_planar *planar, const cosine *g, uint16_t row, ui
   r->g = g->at + column * g->dx + row * g->dy;
 }
 
-/* The next `count` cosines. */
-static void cosines(cosine_row *r, int32_t dg, uint8_t count, uint32_t *to) {
-  uint32_t q = r->q, dq = r->dq, *end = to + count, low = UINT32_C(1) << 30;
+/* Lights the pixels in `bits` from where the forms stand. */
+static FC_NOINLINE void shade_run(const fc_tint *tint, cosine_row *r, int32_t dg, uint8_t count, uint32_t bits, uint8_t *to,
+                                  uint8_t pixel_bytes) {
+  uint32_t q = r->q, dq = r->dq, low = UINT32_C(1) << 30;
   const uint32_t ddq = r->ddq;
   int32_t g = r->g;
-  uint8_t a = 0; /* q 2^(2a) in 2^30 .. 2^32-1 */
-  for (; to != end; to++) {
-    uint32_t c = 0;
-    while (q < low && a < 14) {
-      low >>= 2;
-      a++;
+  uint8_t down = 14; /* 14 - a with q 2^(2a) in 2^30 .. 2^32-1 */
+  do {
+    if (bits & 1) {
+      uint32_t c = 0;
+      while (q < low && down > 0) {
+        low >>= 2;
+        down--;
+      }
+      while (q >> 2 >= low) {
+        low <<= 2;
+        down++;
+      }
+      if (q >= low && g > 0) c = (((uint32_t)g >> down) * fc_rsqrt_q15(q << (28 - 2 * down))) >> 16;
+      fc_tint_put(tint, c > 65536 ? 65536 : c, to);
     }
-    while (q >> 2 >= low) {
-      low <<= 2;
-      a--;
-    }
-    if (q >= low && g > 0) c = (((uint32_t)g >> (14 - a)) * fc_rsqrt_q15(q << (2 * a))) >> 16;
-    *to = c > 65536 ? 65536 : c;
+    bits >>= 1;
+    to += pixel_bytes;
     q += dq;
     dq += ddq;
     g += dg;
-  }
+  } while (--count != 0);
   r->q = q;
   r->dq = dq;
   r->g = g;
@@ -236,7 +241,7 @@ static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
     cosine_row forms = {0, 0, 0, 0};
     uint16_t next = UINT16_MAX, column = 0; /* the column that the forms stand at */
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
-      uint32_t bits = scan->mask[row * scan->words + word], c[32];
+      uint32_t bits = scan->mask[row * scan->words + word];
       uint16_t at = column;
       uint8_t count = 32;
       if (bits == 0) continue;
@@ -250,9 +255,9 @@ static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
         while (bits >> count != 0) count++;
       }
       if (at != next || word % 4 == 0) start_row(planar, g, row, at, &forms);
-      cosines(&forms, g->dx, count, c);
+      fc_scan_lit(scan, row, at, bits);
+      shade_run(&scan->tint, &forms, g->dx, count, bits, fc_scan_pixel(scan, row, at), scan->pixel_bytes);
       next = (uint16_t)(at + count);
-      fc_scan_shade(scan, row, at, bits, c);
     }
   }
 }

@@ -168,7 +168,6 @@ static FC_NOINLINE uint32_t affine_word(const fc_scan *scan, uint16_t row, uint1
   uint32_t bits = 0;
   do {
     uint32_t up = (uint32_t)(at >> 32) + add, code = (up >> shift) + base, there = *depth;
-    if (code > UINT16_MAX) code = UINT16_MAX;
     if ((up & low_bits) <= open || code == there) {
       if (fc_scan_exact(scan, row, (uint16_t)(column + count - (end - depth)))) bits |= bit;
     } else if (code > there) {
@@ -241,37 +240,21 @@ void fc_scan_unlit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t 
     if (bits & 1) fill(scan, to, scan->tint.unlit);
 }
 
-static inline uint32_t level_of(const fc_tint *tint, uint8_t channel, uint32_t cosine) {
-  uint32_t level = (tint->base[channel] + tint->slope[channel] * cosine) >> FC_TINT_BITS;
-  return tint->clamp && level > tint->most[channel] ? tint->most[channel] : level;
+void fc_tint_put_any(const fc_tint *tint, uint32_t cosine, uint8_t *to) {
+  uint8_t level[3], i;
+  for (i = 0; i < 3; i++) {
+    uint32_t v = fc_tint_level(tint, i, cosine);
+    level[i] = v > tint->most[i] ? tint->most[i] : (uint8_t)v;
+  }
+  fc_pixel_put(tint->format, level, to);
 }
 
-void fc_scan_shade(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits, const uint32_t *cosine) {
-  const fc_tint *tint = &scan->tint;
-  uint8_t *to = fc_scan_pixel(scan, row, column), format = scan->target->format;
-  if (scan->target->lit != NULL) {
-    uint32_t *lit = scan->target->lit + (size_t)(scan->y - scan->strip + row) * scan->frame->width + scan->x + column;
-    uint32_t b;
-    for (b = bits; b != 0; b >>= 1, lit++)
-      if (b & 1) *lit = 1;
-  }
-  if (format == FC_RGB888) {
-    for (; bits != 0; bits >>= 1, to += 3, cosine++) {
-      if (!(bits & 1)) continue;
-      to[0] = (uint8_t)level_of(tint, 0, *cosine);
-      to[1] = (uint8_t)level_of(tint, 1, *cosine);
-      to[2] = (uint8_t)level_of(tint, 2, *cosine);
-    }
-  } else {
-    const uint8_t high = format == FC_RGB565_BE ? 0 : 1;
-    for (; bits != 0; bits >>= 1, to += 2, cosine++) {
-      uint32_t packed;
-      if (!(bits & 1)) continue;
-      packed = level_of(tint, 0, *cosine) << 11 | level_of(tint, 1, *cosine) << 5 | level_of(tint, 2, *cosine);
-      to[high] = (uint8_t)(packed >> 8);
-      to[1 - high] = (uint8_t)packed;
-    }
-  }
+void fc_scan_lit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
+  uint32_t *lit;
+  if (scan->target->lit == NULL) return;
+  lit = scan->target->lit + (size_t)(scan->y - scan->strip + row) * scan->frame->width + scan->x + column;
+  for (; bits != 0; bits >>= 1, lit++)
+    if (bits & 1) *lit = 1;
 }
 
 void fc_scan_shade_slowly(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
@@ -355,6 +338,7 @@ void fc_scan_tint(fc_scan *scan) {
       if (tint->base[i] + (slope << 16) >= most + (UINT32_C(1) << FC_TINT_BITS)) tint->clamp = true;
     }
   }
+  tint->plain = !tint->clamp && tint->format == FC_RGB565_BE;
   fc_pixel_put(scan->target->format, level, tint->unlit);
 }
 
@@ -467,6 +451,7 @@ int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_ta
   scan.pixel_bytes = (uint8_t)pixel_bytes;
   scan.clip_far = frame->scene.far_limit > 0;
   fc_pixel_most(target->format, scan.tint.most);
+  scan.tint.format = target->format;
   clear(frame, target, rows, scan.pixel_bytes);
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) fc_kind_of(&cursor)->strip(&scan, rows);

@@ -33,6 +33,8 @@ typedef struct fc_tint {
   uint32_t slope[3]; /* below 2^15 */
   uint8_t most[3];   /* the format's greatest levels */
   bool clamp;        /* the sum may exceed them */
+  uint8_t format;    /* fc_format */
+  bool plain;        /* FC_RGB565_BE, and no clamp */
   uint8_t unlit[4];  /* the pixel's bytes without the light */
 } fc_tint;
 
@@ -132,8 +134,28 @@ void fc_scan_slowly(fc_scan *scan);
 /* -1, 0, 1: near / z = p / 2^30, off by at most error / 2^30, lies beyond the far limit, too close to tell, within. */
 int8_t fc_scan_far(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t p, uint32_t error);
 
-/* Colours up to 32 pixels of a row whose mask bits are set, from cosines. */
-void fc_scan_shade(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits, const uint32_t *cosine);
+/* Colours a pixel in any format. */
+void fc_tint_put_any(const fc_tint *tint, uint32_t cosine, uint8_t *to);
+
+static inline uint32_t fc_tint_level(const fc_tint *tint, uint8_t channel, uint32_t cosine) {
+  return (tint->base[channel] + tint->slope[channel] * cosine) >> FC_TINT_BITS;
+}
+
+/* Colours a pixel that the light reaches, from the cosine in Q16. */
+static inline void fc_tint_put(const fc_tint *tint, uint32_t cosine, uint8_t *to) {
+  if (tint->plain) {
+    uint32_t packed = fc_tint_level(tint, 0, cosine) << 6;
+    packed = (packed | fc_tint_level(tint, 1, cosine)) << 5;
+    packed |= fc_tint_level(tint, 2, cosine);
+    to[0] = (uint8_t)(packed >> 8);
+    to[1] = (uint8_t)packed;
+  } else {
+    fc_tint_put_any(tint, cosine, to);
+  }
+}
+
+/* Notes for the target that the light reaches the pixels of a row in `bits`. */
+void fc_scan_lit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits);
 
 /* Colours as unlit. */
 void fc_scan_unlit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits);

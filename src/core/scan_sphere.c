@@ -68,8 +68,9 @@ typedef struct ball_light {
   int32_t at, dx, dy;     /* D.(L - C) near / (F r l) at the tile's first pixel and its steps, times a power of two */
   int16_t shift;          /* s + s0 = that * 2^31 / m / 2^(16 + shift) / 2^24, m the first 16 bits of p; less p's octave */
   int32_t s0, h, sum;     /* Q24; sum = 1 + h^2 */
-  int32_t margin;         /* Q24: bound on the error of s */
-  bool refine;            /* 16 bits of p are not enough */
+  int32_t margin;         /* Q24: bound on the error of s from 16 bits of p */
+  int32_t fine_margin;    /* ... and refined */
+  bool refine;            /* always */
   uint8_t occluders;      /* MANY: more than the list holds */
   struct {
     uint16_t primitive;
@@ -133,7 +134,8 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
   if (!fc_quick_less(unit, fc_quick_from(64, 0))) return LIGHT_SLOW;
   light->s0 = fc_quick_times(inverse, center_light, 24);
   light->refine = fc_abs32(light->s0) > (UINT32_C(12) << 24);
-  light->margin = (int32_t)((fc_abs32(light->s0) + (UINT32_C(1) << 24)) >> (light->refine ? 19 : 13)) + 64;
+  light->margin = (int32_t)((fc_abs32(light->s0) + (UINT32_C(1) << 24)) >> 13) + 64;
+  light->fine_margin = (int32_t)((fc_abs32(light->s0) + (UINT32_C(1) << 24)) >> 19) + 64;
   /* D below 2^30, l below 2^31: sums of three below 2^63 */
   at = fc_small_dot(d, l);
   most = (int64_t)fc_abs64(at) / 2 + (int64_t)fc_abs64(l[0] * step) / 2 * scan->columns +
@@ -173,20 +175,24 @@ static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row,
   return false;
 }
 
-/* does not face the light; the forms cannot tell */
-#define COSINE_AWAY UINT32_C(0xfffffffe)
-#define COSINE_OPEN UINT32_C(0xffffffff)
+/* Whether the light reaches a pixel where its forms leave that open, or something may be in the way. */
+static FC_NOINLINE bool reaches(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, bool faces) {
+  return faces ? !occluded(scan, light, row, column) : fc_scan_reached(scan, row, column);
+}
 
-/* Replaces p of the pixels in `bits` by the cosine in Q16, or by one of the above. */
-static FC_NOINLINE void cosines(const ball_light *light, int32_t along, uint32_t bits, uint32_t *p) {
-  const int32_t h = light->h, margin = light->margin;
+/* Lights the pixels of a row in `bits`, given p of each. */
+static FC_NOINLINE void light_row(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
+                                  const uint32_t *p) {
+  const int32_t h = light->h;
+  int32_t along = light->at + light->dx * column + light->dy * row;
   uint32_t low = UINT32_C(1) << 31;
-  uint8_t octave = 31;
-  for (; bits != 0; bits >>= 1, along += light->dx, p++) {
-    uint32_t m, r, g, top = UINT32_C(1) << 30;
-    int32_t s, e;
+  uint8_t octave = 31, *to = fc_scan_pixel(scan, row, column);
+  for (; bits != 0; bits >>= 1, column++, p++, to += scan->pixel_bytes, along += light->dx) {
+    uint32_t r, g, top = UINT32_C(1) << 30;
+    int32_t s, e = 0;
     uint8_t up = 15;
-    int16_t down;
+    uint16_t down;
+    bool lit;
     if (!(bits & 1)) continue;
     while (*p < low) {
       low >>= 1;
@@ -196,26 +202,33 @@ static FC_NOINLINE void cosines(const ball_light *light, int32_t along, uint32_t
       low <<= 1;
       octave++;
     }
-    m = *p >> (octave - 15);
-    r = fc_recip_q31(m);
+    r = fc_recip_q31(*p >> (octave - 15));
     /* along within 2^30, r within 2^16 */
     s = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16);
-    down = (int16_t)(octave + light->shift);
-    if (light->refine) {
-      /* times 1 + e with e = 1 - x r: |e| below 2^-13 */
-      int32_t rest = (INT32_C(1) << 30) - (int32_t)fc_mulhi32(*p << (31 - octave), r << 15);
-      s += fc_floor_shift32(fc_floor_shift32(s, 17) * rest, 13);
+    down = (uint16_t)(octave + light->shift);
+    lit = down < 32;
+    if (lit) {
+      e = fc_floor_shift32(s, (uint8_t)down) - light->s0 - h;
+      if (light->refine || (uint32_t)(e + light->margin) <= 2 * (uint32_t)light->margin) {
+        /* times 1 + rest with rest = 1 - x r, below 2^-13 */
+        int32_t rest = (INT32_C(1) << 30) - (int32_t)fc_mulhi32(*p << (31 - octave), r << 15);
+        s += fc_floor_shift32(fc_floor_shift32(s, 17) * rest, 13);
+        e = fc_floor_shift32(s, (uint8_t)down) - light->s0 - h;
+      }
+      if (e < -light->fine_margin) {
+        fc_scan_unlit(scan, row, column, 1);
+        continue;
+      }
+      lit = e > light->fine_margin;
     }
-    if ((uint16_t)down > 31) {
-      *p = COSINE_OPEN;
-      continue;
+    if (!lit || light->occluders != 0) {
+      if (!reaches(scan, light, row, column, lit)) {
+        fc_scan_unlit(scan, row, column, 1);
+        continue;
+      }
+      if (!lit) e = 0;
     }
-    s = fc_floor_shift32(s, (uint8_t)down) - light->s0;
-    e = s - h;
-    if (e <= margin) {
-      *p = e < -margin ? COSINE_AWAY : COSINE_OPEN;
-      continue;
-    }
+    s = e + h;
     if (s > INT32_C(1) << 24) {
       s = INT32_C(1) << 24;
       e = s - h;
@@ -227,29 +240,9 @@ static FC_NOINLINE void cosines(const ball_light *light, int32_t along, uint32_t
       up--;
     }
     r = ((uint32_t)(e >> 9) * fc_rsqrt_q15(g)) >> up;
-    *p = r > 65536 ? 65536 : r;
+    fc_tint_put(&scan->tint, r > 65536 ? 65536 : r, to);
+    if (scan->target->lit != NULL) fc_scan_lit(scan, row, column, 1);
   }
-}
-
-/* Lights the pixels of a row in `bits`, given p of each; p is used up. */
-static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
-                      uint32_t *p) {
-  uint32_t dark = 0, bit = 1, rest;
-  uint8_t i;
-  cosines(light, light->at + light->dx * column + light->dy * row, bits, p);
-  for (i = 0, rest = bits; rest != 0; i++, rest >>= 1, bit <<= 1) {
-    if (!(rest & 1) || (p[i] <= 65536 && light->occluders == 0)) continue;
-    if (p[i] == COSINE_AWAY) {
-      dark |= bit;
-    } else if (p[i] == COSINE_OPEN) {
-      if (!fc_scan_reached(scan, row, (uint16_t)(column + i))) dark |= bit;
-      p[i] = 0;
-    } else if (occluded(scan, light, row, (uint16_t)(column + i))) {
-      dark |= bit;
-    }
-  }
-  if (dark != 0) fc_scan_unlit(scan, row, column, dark);
-  fc_scan_shade(scan, row, column, bits & ~dark, p);
 }
 
 /* ---- drawing ---- */
@@ -344,18 +337,23 @@ static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t
                                      uint32_t error, fc_coder *coder_of_tile) {
   fc_coder coder = *coder_of_tile;
   uint16_t *depth = fc_scan_depth(scan, row, column);
-  uint32_t bits = 0, bit = 1;
-  for (; p != end; p++, depth++, bit <<= 1) {
-    uint32_t there = *depth;
-    int32_t code;
-    if (*p == 0) continue;
-    fc_coder_follow(&coder, scan->frame, *p);
-    code = fc_coder_code(&coder, *p, error);
-    if (code > (int32_t)there) {
+  uint32_t bits = 0, bit = 1, add = coder.half + error, base = (uint32_t)coder.base;
+  for (; p != end; p++, depth++, bit <<= 1, column++) {
+    uint32_t v = *p, up, code;
+    if (v == 0) continue;
+    if (v < coder.low || v >> 1 >= coder.low) {
+      fc_coder_follow(&coder, scan->frame, v);
+      add = coder.half + error;
+      base = (uint32_t)coder.base;
+    }
+    /* codes of 1 and below, beyond the format's range, are the ray engine's; base is negative there */
+    up = v + add;
+    code = (up >> coder.shift) + base;
+    if ((up & coder.low_bits) <= 2 * error || code == *depth || code - 2 > UINT16_MAX - 2) {
+      if (fc_scan_exact(scan, row, column)) bits |= bit;
+    } else if (code > *depth) {
       *depth = (uint16_t)code;
       bits |= bit;
-    } else if (code < 0 || code == (int32_t)there) {
-      if (fc_scan_exact(scan, row, (uint16_t)(depth - fc_scan_depth(scan, row, 0)))) bits |= bit;
     }
   }
   *coder_of_tile = coder;
@@ -600,7 +598,7 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
       /* 32 columns on: f + 32 dx + 496 dxx */
       uint64_t f_next = f + (dx << 5) + ((uint64_t)cone.dxx << 9) - ((uint64_t)cone.dxx << 4), dx_next = dx + ((uint64_t)cone.dxx << 5);
       int64_t most = fc_to_i64(f) > fc_to_i64(f_next) ? fc_to_i64(f) : fc_to_i64(f_next);
-      if (bits != 0 && (word + 1 == scan->words || most >= -cone.error - bulge)) {
+      if (bits != 0 && (scan->columns < 32 || most >= -cone.error - bulge)) {
         for (i = 0; i < count; i++, bit <<= 1, f += dx, dx += (uint64_t)cone.dxx) {
           int32_t high = fc_to_i32((uint32_t)(f >> 32));
           uint16_t x = (uint16_t)(column + i);
