@@ -50,7 +50,7 @@ bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
 
 void fc_scan_slowly(fc_scan *scan) {
   uint16_t row, column;
-  for (row = 0; row < scan->rows; row++)
+  for (row = scan->first_row; row <= scan->last_row; row++)
     for (column = 0; column < scan->columns; column++)
       if (fc_scan_exact(scan, row, column)) scan->mask[row * scan->words + column / 32] |= UINT32_C(1) << (column % 32);
 }
@@ -345,20 +345,23 @@ void fc_scan_tint(fc_scan *scan) {
 /* ---- strips ---- */
 
 static void draw(fc_scan *scan, const fc_window *box, uint16_t rows) {
-  int32_t y0 = box->y0, y1 = box->y1, x;
-  if (y0 < scan->strip) y0 = scan->strip;
-  if (y1 > (int32_t)scan->strip + rows - 1) y1 = (int32_t)scan->strip + rows - 1;
+  int32_t strip_end = (int32_t)scan->strip + rows - 1, x;
   for (x = box->x0; x <= box->x1; x += FC_SCAN_WORDS * 32) {
-    int32_t columns = box->x1 - x + 1, y, high;
+    int32_t columns = box->x1 - x + 1, y, end, high = FC_SCAN_ROWS;
     if (columns > FC_SCAN_WORDS * 32) columns = FC_SCAN_WORDS * 32;
     scan->words = (uint8_t)((columns + 31) / 32);
-    high = FC_SCAN_WORDS;
-    while (high > FC_SCAN_ROWS || high * scan->words > FC_SCAN_WORDS) high /= 2;
+    while (high * scan->words > FC_SCAN_WORDS) high /= 2; /* a power of two */
     scan->x = (uint16_t)x;
     scan->columns = (uint16_t)columns;
-    for (y = y0; y <= y1; y += high) {
+    /* bands of the frame, cut to the window */
+    for (y = box->y0; y <= box->y1 && y <= strip_end; y = end + 1) {
+      end = y | (high - 1);
+      if (end > box->y1) end = box->y1;
+      if (end < scan->strip) continue;
       scan->y = (uint16_t)y;
-      scan->rows = (uint8_t)(y1 - y + 1 < high ? y1 - y + 1 : high);
+      scan->rows = (uint8_t)(end - y + 1);
+      scan->first_row = (uint8_t)(y < scan->strip ? scan->strip - y : 0);
+      scan->last_row = (uint8_t)((end < strip_end ? end : strip_end) - y);
       fc_kind_of(scan->at)->draw(scan);
     }
   }

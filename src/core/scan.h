@@ -38,7 +38,8 @@ typedef struct fc_tint {
   uint8_t unlit[4];  /* the pixel's bytes without the light */
 } fc_tint;
 
-/* A primitive being drawn into a rectangle of a strip. */
+/* A primitive being drawn into a rectangle of the frame, of which the strip holds some rows. Where tiles lie depends on the
+ * primitive alone, so that forms, which are rounded at a tile's origin, are the same for every strip height. */
 struct fc_scan {
   const fc_frame *frame;
   const fc_target *target;
@@ -49,6 +50,7 @@ struct fc_scan {
   uint16_t x, y;       /* the tile's first pixel, in the frame */
   uint16_t columns;
   uint8_t rows, words; /* words of mask a row */
+  uint8_t first_row, last_row; /* those that the strip holds */
   uint8_t pixel_bytes;
   uint8_t light;       /* FC_LIGHT_... */
   bool clip_far;       /* the far limit may cut the primitive */

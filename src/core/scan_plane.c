@@ -18,8 +18,8 @@ void fc_plane_draw(fc_scan *scan) {
     v = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, n[0] * d[0] + n[1] * d[1] + n[2] * d[2]), placed->shift));
     dx = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, n[0] * step), placed->shift));
     dy = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, -n[1] * step), placed->shift));
-    for (row = 0; row < scan->rows; row++, v += dy)
-      fc_scan_affine(scan, row, 0, (uint16_t)(scan->columns - 1), v, dx, placed->gain, 3);
+    for (row = 0; row <= scan->last_row; row++, v += dy)
+      if (row >= scan->first_row) fc_scan_affine(scan, row, 0, (uint16_t)(scan->columns - 1), v, dx, placed->gain, 3);
   }
   fc_planar_light(scan, n, fc_i128_from(scan->form->u.plane.k));
 }

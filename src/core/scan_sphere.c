@@ -444,10 +444,11 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   set_ball(scan, placed, &ball, &b_dy);
   ball.clip = placed->beyond;
   fc_coder_start(&coder, scan->frame, ball.drop, UINT32_C(1) << 29);
-  for (row = 0; row < scan->rows; row++) {
+  for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(&ball.cone), ball.b += b_dy) {
     sphere_row at;
     int64_t b;
     uint16_t column;
+    if (row < scan->first_row) continue;
     at.f = (uint64_t)ball.cone.f;
     at.dx = (uint64_t)ball.cone.dx;
     b = ball.b;
@@ -468,8 +469,6 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
       else
         fc_scan_shade_slowly(scan, row, column, bits);
     }
-    fc_cone_next_row(&ball.cone);
-    ball.b += b_dy;
   }
 }
 
@@ -483,7 +482,7 @@ void fc_sphere_draw(fc_scan *scan) {
   }
   for (row = 0; row < scan->rows * scan->words; row++) scan->mask[row] = 0;
   fc_scan_slowly(scan);
-  for (row = 0; row < scan->rows; row++)
+  for (row = scan->first_row; row <= scan->last_row; row++)
     for (word = 0; word < scan->words; word++) {
       uint32_t bits = scan->mask[row * scan->words + word];
       if (bits != 0 && fc_scan_wants_light(scan, row, (uint16_t)(32 * word), bits))
@@ -587,11 +586,12 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   lit = fc_high_word(-cone.error) - 1;
   /* f is quadratic along a row: over 32 columns it exceeds its values at both ends by at most 32^2 / 8 |dxx| */
   bulge = (int64_t)fc_abs64(cone.dxx) << 7;
-  for (row = 0; row < scan->rows; row++) {
+  for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(&cone)) {
     uint64_t f = (uint64_t)cone.f, dx = (uint64_t)cone.dx;
     bool doubted = scan->y + row >= doubt.y0 && scan->y + row <= doubt.y1;
     uint16_t column = 0;
     uint8_t word;
+    if (row < scan->first_row) continue;
     for (word = 0; word < scan->words; word++) {
       uint32_t bits = scan->mask[row * scan->words + word], bit = 1, darkened = 0;
       uint8_t count = scan->columns - column < 32 ? (uint8_t)(scan->columns - column) : 32;
@@ -618,6 +618,5 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
       dx = dx_next;
       column = (uint16_t)(column + 32);
     }
-    fc_cone_next_row(&cone);
   }
 }

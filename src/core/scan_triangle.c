@@ -281,6 +281,8 @@ static void aim(fc_brush *brush, const fc_tile *tile) {
   scan->columns = (uint16_t)(tile->x1 - tile->x0 + 1);
   if (brush->plain) return;
   scan->rows = (uint8_t)(tile->y1 - tile->y0 + 1);
+  scan->first_row = 0;
+  scan->last_row = (uint8_t)(scan->rows - 1);
   scan->words = (uint8_t)((scan->columns + 31) / 32);
   for (i = 0; i < scan->rows * scan->words; i++) scan->mask[i] = 0;
 }
