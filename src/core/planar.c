@@ -230,7 +230,7 @@ static FC_NOINLINE void shade_run(const fc_tint *tint, cosine_row *r, int32_t dg
 /*
  * The same four pixels at a time, levels in between by the chord. The cosine is a unit vector's component, u.n with
  * u = W / |W|, so its second difference is at most 5 (|dW| / |W|)^2 and a chord over 4 columns is off by at most
- * 4^2 / 8 of that: 2^-10, a fifth of a level in 255, when q >= 5120 ddq (ddq is twice |dW|^2).
+ * 4^2 / 8 of that: 2^-10, a fifth of a level in 255, when q >= 5120 ddq (ddq is twice |dW|^2; the test asks for 5461).
  */
 static FC_NOINLINE void shade_chords(const fc_tint *tint, cosine_row *r, int32_t dg, uint8_t count, uint32_t bits, uint8_t *to) {
   uint32_t level[3], c = cosine_of(r->q, r->g);
@@ -290,9 +290,9 @@ static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
       }
       if (at != next || word % 4 == 0) start_row(planar, g, row, at, &forms);
       fc_scan_lit(scan, row, at, bits);
-      if (scan->tint.plain && forms.q / 5120 >= forms.ddq && count > 3) {
+      if (scan->tint.plain && (forms.q >> 13) + (forms.q >> 14) >= forms.ddq && count > 3) {
         shade_chords(&scan->tint, &forms, g->dx, count, bits, fc_scan_pixel(scan, row, at));
-        next = UINT16_MAX;
+        next = count % 4 == 0 ? (uint16_t)(at + count) : UINT16_MAX;
       } else {
         shade_run(&scan->tint, &forms, g->dx, count, bits, fc_scan_pixel(scan, row, at), scan->pixel_bytes);
         next = (uint16_t)(at + count);

@@ -362,21 +362,24 @@ static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t
 
 /* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each. */
 static FC_NOINLINE uint32_t draw_word(const fc_scan *scan, const sphere_forms *ball, sphere_row *at, fc_coder *coder, uint16_t row,
-                          uint16_t column, uint8_t count, uint32_t *ps) {
-  uint32_t *p = ps, *end = ps + count, exact = 0;
+                                      uint16_t column, uint8_t count, uint32_t *ps) {
+  uint32_t *p = ps, *end = ps + count, *first = NULL, *last = ps, exact = 0;
   while (p != end) {
     int32_t high = fc_to_i32((uint32_t)(at->f >> 32));
     if (high > ball->inside) {
       uint32_t *from = p;
       p = inside_run(ball, at, p, end);
+      if (first == NULL) first = from;
+      last = p;
       if (ball->clip) exact |= clip_run(scan, ball, row, column, ps, from, p);
       continue;
     }
     if (high >= ball->outside) exact |= UINT32_C(1) << (p - ps);
     p = outside_run(ball, at, p, end);
   }
-  exact = exact_run(scan, row, column, exact);
-  return exact | test_run(scan, row, column, ps, end, ball->error, coder);
+  if (exact != 0) exact = exact_run(scan, row, column, exact);
+  if (first == NULL) return exact;
+  return exact | test_run(scan, row, (uint16_t)(column + (first - ps)), first, last, ball->error, coder) << (first - ps);
 }
 
 static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere_forms *ball, int64_t *b_dy) {
@@ -563,6 +566,35 @@ static int8_t set_ahead(const fc_scan *scan, const fc_planar *receiver, const in
   return high < -a->margin ? -1 : 0;
 }
 
+/* What decides a pixel that the shadow may touch. */
+typedef struct shadow_test {
+  int64_t dark, lit; /* f above: in the dark; below: in the light */
+  int8_t everywhere; /* the sphere lies ahead of the light everywhere; otherwise by: */
+  bool doubted;      /* the row has pixels in `doubt` */
+  ahead_form ahead;
+  fc_window doubt;
+  const fc_kind *kind;
+  const fc_form *form;
+} shadow_test;
+
+/* Up to 8 pixels: those in the dark. */
+static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column,
+                                       uint32_t bits, uint64_t f, uint64_t dx, uint64_t dxx) {
+  uint32_t dark = 0, bit = 1;
+  for (; bits != 0; bits >>= 1, bit <<= 1, column++, f += dx, dx += dxx) {
+    bool sure = fc_to_i64(f) > test->dark;
+    if (!(bits & 1) || fc_to_i64(f) < test->lit) continue;
+    if (sure && test->everywhere == 0) {
+      int64_t a = test->ahead.at + test->ahead.dx * column + test->ahead.dy * row;
+      if (a < -test->ahead.margin) continue;
+      sure = a > test->ahead.margin;
+    }
+    if (test->doubted && scan->x + column >= test->doubt.x0 && scan->x + column <= test->doubt.x1) sure = false;
+    if (sure || fc_scan_blocked(scan, row, column, test->kind, test->form)) dark |= bit;
+  }
+  return dark;
+}
+
 void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   const int64_t *c = form->u.sphere.center;
   int64_t center[3], radius = form->u.sphere.radius;
@@ -572,8 +604,8 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   uint16_t row;
   uint8_t i;
   int8_t everywhere;
-  int32_t dark, lit;
   int64_t bulge;
+  shadow_test clear;
   for (i = 0; i < 3; i++) center[i] = c[i] - scan->frame->lights[i]; /* below 2^31 */
   if (fc_i128_compare(fc_i128_dot(center, center), fc_i128_mul(radius, radius)) <= 0) {
     fc_planar_ask(scan, kind, form); /* the light inside the sphere, or on it */
@@ -582,41 +614,48 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   everywhere = set_ahead(scan, receiver, center, &ahead);
   if (everywhere < 0 || !fc_planar_faces_ball(scan, receiver, c, radius, &doubt)) return;
   fc_cone_setup(&cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
-  dark = fc_high_word(cone.error) + 1;
-  lit = fc_high_word(-cone.error) - 1;
-  /* f is quadratic along a row: over 32 columns it exceeds its values at both ends by at most 32^2 / 8 |dxx| */
-  bulge = (int64_t)fc_abs64(cone.dxx) << 7;
+  clear.dark = cone.error;
+  clear.lit = -cone.error;
+  clear.everywhere = everywhere;
+  clear.ahead = ahead;
+  clear.doubt = doubt;
+  clear.kind = kind;
+  clear.form = form;
+  /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx| */
+  bulge = (int64_t)fc_abs64(cone.dxx);
   for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(&cone)) {
     uint64_t f = (uint64_t)cone.f, dx = (uint64_t)cone.dx;
-    bool doubted = scan->y + row >= doubt.y0 && scan->y + row <= doubt.y1;
+    const uint64_t dxx = (uint64_t)cone.dxx;
     uint16_t column = 0;
     uint8_t word;
     if (row < scan->first_row) continue;
-    for (word = 0; word < scan->words; word++) {
-      uint32_t bits = scan->mask[row * scan->words + word], bit = 1, darkened = 0;
-      uint8_t count = scan->columns - column < 32 ? (uint8_t)(scan->columns - column) : 32;
+    clear.doubted = scan->y + row >= doubt.y0 && scan->y + row <= doubt.y1;
+    for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
+      uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
       /* 32 columns on: f + 32 dx + 496 dxx */
-      uint64_t f_next = f + (dx << 5) + ((uint64_t)cone.dxx << 9) - ((uint64_t)cone.dxx << 4), dx_next = dx + ((uint64_t)cone.dxx << 5);
-      int64_t most = fc_to_i64(f) > fc_to_i64(f_next) ? fc_to_i64(f) : fc_to_i64(f_next);
-      if (bits != 0 && (scan->columns < 32 || most >= -cone.error - bulge)) {
-        for (i = 0; i < count; i++, bit <<= 1, f += dx, dx += (uint64_t)cone.dxx) {
-          int32_t high = fc_to_i32((uint32_t)(f >> 32));
-          uint16_t x = (uint16_t)(column + i);
-          bool sure = high > dark;
-          if (high < lit || !(bits & bit)) continue;
-          if (sure && everywhere == 0) {
-            int64_t a = ahead.at + ahead.dx * x + ahead.dy * row;
-            if (a < -ahead.margin) continue;
-            sure = a > ahead.margin;
+      uint64_t f_next = f + (dx << 5) + (dxx << 9) - (dxx << 4), dx_next = dx + (dxx << 5);
+      if (bits != 0 && (scan->columns < 32 || fc_to_i64(f) >= clear.lit - (bulge << 7) || fc_to_i64(f_next) >= clear.lit - (bulge << 7))) {
+        uint8_t k;
+        for (k = 0; bits != 0; k = (uint8_t)(k + 8), bits >>= 8) {
+          /* 8 on: f + 8 dx + 28 dxx */
+          uint64_t f8 = f + (dx << 3) + (dxx << 5) - (dxx << 2);
+          uint32_t some = bits & 0xffu;
+          if (some != 0) {
+            int64_t low = fc_to_i64(f) < fc_to_i64(f8) ? fc_to_i64(f) : fc_to_i64(f8), high = fc_to_i64(f) < fc_to_i64(f8) ? fc_to_i64(f8) : fc_to_i64(f);
+            if (high >= clear.lit - (bulge << 3)) {
+              if (low > clear.dark + (bulge << 3) && everywhere > 0 && !clear.doubted)
+                darkened |= some << k;
+              else
+                darkened |= shade_some(scan, &clear, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
+            }
           }
-          if (doubted && scan->x + x >= doubt.x0 && scan->x + x <= doubt.x1) sure = false;
-          if (sure || fc_scan_blocked(scan, row, x, kind, form)) darkened |= bit;
+          f = f8;
+          dx += dxx << 3;
         }
         if (darkened != 0) fc_planar_darken(scan, row, column, darkened);
       }
       f = f_next;
       dx = dx_next;
-      column = (uint16_t)(column + 32);
     }
   }
 }

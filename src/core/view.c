@@ -4,6 +4,7 @@
 #include "bits.h"
 #include "fixcast/error.h"
 #include "kind.h"
+#include "quick.h"
 #include "segment.h"
 
 /* Rounds v / length to Q30, |v| <= length. */
@@ -192,19 +193,40 @@ bool fc_window_cut(const fc_frame *frame, fc_window *box) {
   return box->x0 <= box->x1 && box->y0 <= box->y1;
 }
 
+/* The first and last pixel of an axis at which a ball in front of the eye is seen: a, z of its center. The tangents through
+ * the eye touch it where a / z = (a z +- r sqrt(a^2 + z^2 - r^2)) / (z^2 - r^2). */
+static void ball_span(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z, int64_t r, int32_t *first, int32_t *last) {
+  /* 30-bit factors; z > r > 0 */
+  int64_t across = a * z, square = z * z - r * r, reach[2];
+  fc_quick root = fc_quick_from((uint64_t)(a * a + square), 0), scale;
+  uint8_t i;
+  reach[0] = (int64_t)fc_quick_to_u64(fc_quick_mul(fc_quick_mul(root, fc_quick_rsqrt(root)), fc_quick_from((uint64_t)r, 0)));
+  reach[1] = across + reach[0];
+  reach[0] = across - reach[0];
+  scale = fc_quick_mul(fc_quick_recip(fc_quick_from((uint64_t)square, 0)),
+                       fc_quick_from((uint64_t)frame->view.focal, (int16_t)-frame->view.pixel_shift));
+  for (i = 0; i < 2; i++) {
+    /* half pixels from the centre; the values are off by 2^-24 of at most 2^13 where that matters */
+    int32_t half = fc_quick_times(scale, reach[i], 0), pixel;
+    if (half > INT32_C(20000)) half = INT32_C(20000);
+    if (half < -INT32_C(20000)) half = -INT32_C(20000);
+    pixel = axis == 0 ? frame->width + half : frame->height - half;
+    pixel = pixel < -2 ? -2 : pixel / 2;
+    if ((i == 0) == (axis == 0))
+      *first = pixel - 1;
+    else
+      *last = pixel + 1;
+  }
+}
+
 bool fc_ball_window(const fc_frame *frame, const int64_t c[3], int64_t r, fc_window *box) {
-  int64_t near = c[2] - r, far = c[2] + r;
-  int64_t left = c[0] - r, right = c[0] + r, bottom = c[1] - r, top = c[1] + r;
   box->x0 = box->y0 = 0;
   box->x1 = frame->width - 1;
   box->y1 = frame->height - 1;
-  if (far <= 0) return false;
-  if (near > 0) {
-    /* each side's extreme is on the near or the far face of the box around the ball */
-    box->x0 = fc_view_project(frame, 0, left, left < 0 ? near : far) - 1;
-    box->x1 = fc_view_project(frame, 0, right, right > 0 ? near : far) + 1;
-    box->y0 = fc_view_project(frame, 1, top, top > 0 ? near : far) - 1;
-    box->y1 = fc_view_project(frame, 1, bottom, bottom < 0 ? near : far) + 1;
+  if (c[2] + r <= 0) return false;
+  if (c[2] > r && fc_vector_bits(c) <= 30) {
+    ball_span(frame, 0, c[0], c[2], r, &box->x0, &box->x1);
+    ball_span(frame, 1, c[1], c[2], r, &box->y0, &box->y1);
   }
   return fc_window_cut(frame, box);
 }
