@@ -217,7 +217,8 @@ static inline uint32_t cosine_of(uint32_t q, int32_t g) {
 }
 
 /* Lights the pixels in `bits` from where the forms stand. */
-static FC_NOINLINE void shade_run(const fc_tint *tint, cosine_row *r, int32_t dg, uint8_t count, uint32_t bits, uint8_t *to,
+static FC_NOINLINE void shade_run(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
+                                  uint32_t bits, uint8_t *restrict to,
                                   uint8_t pixel_bytes) {
   for (; count != 0; count--, bits >>= 1, to += pixel_bytes) {
     if (bits & 1) fc_tint_put(tint, cosine_of(r->q, r->g), to);
@@ -232,7 +233,8 @@ static FC_NOINLINE void shade_run(const fc_tint *tint, cosine_row *r, int32_t dg
  * u = W / |W|, so its second difference is at most 5 (|dW| / |W|)^2 and a chord over 4 columns is off by at most
  * 4^2 / 8 of that: 2^-10, a fifth of a level in 255, when q >= 5120 ddq (ddq is twice |dW|^2; the test asks for 5461).
  */
-static FC_NOINLINE void shade_chords(const fc_tint *tint, cosine_row *r, int32_t dg, uint8_t count, uint32_t bits, uint8_t *to) {
+static FC_NOINLINE void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
+                                     uint32_t bits, uint8_t *restrict to) {
   uint32_t level[3], c = cosine_of(r->q, r->g);
   level[0] = tint->base[0] + tint->slope[0] * c;
   level[1] = tint->base[1] + tint->slope[1] * c;

@@ -67,10 +67,9 @@ bool fc_sphere_window(const fc_frame *frame, const fc_group *group, uint16_t ind
 typedef struct ball_light {
   int32_t at, dx, dy;     /* D.(L - C) near / (F r l) at the tile's first pixel and its steps, times a power of two */
   int16_t shift;          /* s + s0 = that * 2^31 / m / 2^(16 + shift) / 2^24, m the first 16 bits of p; less p's octave */
-  int32_t s0, h, sum;     /* Q24; sum = 1 + h^2 */
+  int32_t away, h, sum;   /* Q24; away = s0 + h, sum = 1 + h^2 */
   int32_t margin;         /* Q24: bound on the error of s from 16 bits of p */
   int32_t fine_margin;    /* ... and refined */
-  bool refine;            /* always */
   uint8_t occluders;      /* MANY: more than the list holds */
   struct {
     uint16_t primitive;
@@ -113,6 +112,7 @@ static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
 static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, l[3], at, most, center_light;
+  int32_t s0;
   uint64_t square = 0;
   fc_quick near = fc_quick_from(1, 0), inverse, ratio, unit;
   int16_t shift;
@@ -132,10 +132,12 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
   center_light = fc_small_dot(c, l); /* 30 + 31 bits and two: below 2^63 */
   unit = fc_quick_mul(inverse, fc_quick_from(fc_abs64(center_light), 0));
   if (!fc_quick_less(unit, fc_quick_from(64, 0))) return LIGHT_SLOW;
-  light->s0 = fc_quick_times(inverse, center_light, 24);
-  light->refine = fc_abs32(light->s0) > (UINT32_C(12) << 24);
-  light->margin = (int32_t)((fc_abs32(light->s0) + (UINT32_C(1) << 24)) >> 13) + 64;
-  light->fine_margin = (int32_t)((fc_abs32(light->s0) + (UINT32_C(1) << 24)) >> 19) + 64;
+  s0 = fc_quick_times(inverse, center_light, 24);
+  light->away = s0 + light->h;
+  light->fine_margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 24)) >> 19) + 64;
+  /* beyond 12 radii, 16 bits of p would cost a fifth of a level: all are refined */
+  light->margin = fc_abs32(s0) > UINT32_C(12) << 24 ? INT32_MAX
+                                                    : (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 24)) >> 13) + 64;
   /* D below 2^30, l below 2^31: sums of three below 2^63 */
   at = fc_small_dot(d, l);
   most = (int64_t)fc_abs64(at) / 2 + (int64_t)fc_abs64(l[0] * step) / 2 * scan->columns +
@@ -175,74 +177,96 @@ static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row,
   return false;
 }
 
-/* Whether the light reaches a pixel where its forms leave that open, or something may be in the way. */
-static FC_NOINLINE bool reaches(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, bool faces) {
-  return faces ? !occluded(scan, light, row, column) : fc_scan_reached(scan, row, column);
+/* s - h of a pixel, refined. */
+static FC_NOINLINE int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
+  uint32_t r = fc_recip_q31(p >> (octave - 15));
+  int32_t s = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16);
+  /* times 1 + rest with rest = 1 - x r, below 2^-13 */
+  int32_t rest = (INT32_C(1) << 30) - (int32_t)fc_mulhi32(p << (31 - octave), r << 15);
+  s += fc_floor_shift32(fc_floor_shift32(s, 17) * rest, 13);
+  return fc_floor_shift32(s, (uint8_t)(octave + light->shift)) - light->away;
 }
 
-/* Lights the pixels of a row in `bits`, given p of each. */
-static FC_NOINLINE void light_row(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
-                                  const uint32_t *p) {
-  const int32_t h = light->h;
-  int32_t along = light->at + light->dx * column + light->dy * row;
-  uint32_t low = UINT32_C(1) << 31;
-  uint8_t octave = 31, *to = fc_scan_pixel(scan, row, column);
-  for (; bits != 0; bits >>= 1, column++, p++, to += scan->pixel_bytes, along += light->dx) {
-    uint32_t r, g, top = UINT32_C(1) << 30;
-    int32_t s, e = 0;
-    uint8_t up = 15;
+/* Turns p of the pixels in `bits` into s - h in Q24; returns those that are within the margin, or out of reach. */
+static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *p) {
+  const int32_t dx = light->dx, away = light->away;
+  const uint32_t margin = (uint32_t)light->margin;
+  const uint16_t shift = (uint16_t)light->shift;
+  uint32_t low = UINT32_C(1) << 31, open = 0, bit = 1;
+  uint8_t octave = 31;
+  for (; bits != 0; bits >>= 1, bit <<= 1, p++, along += dx) {
+    uint32_t v = *p, r;
+    int32_t e;
     uint16_t down;
-    bool lit;
     if (!(bits & 1)) continue;
-    while (*p < low) {
+    while (v < low) {
       low >>= 1;
       octave--;
     }
-    while (*p >> 1 >= low) {
+    while (v >> 1 >= low) {
       low <<= 1;
       octave++;
     }
-    r = fc_recip_q31(*p >> (octave - 15));
+    r = fc_recip_q31(v >> (octave - 15));
+    down = (uint16_t)(octave + shift);
+    if (down > 31) {
+      *p = 0;
+      open |= bit;
+      continue;
+    }
     /* along within 2^30, r within 2^16 */
-    s = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16);
-    down = (uint16_t)(octave + light->shift);
-    lit = down < 32;
-    if (lit) {
-      e = fc_floor_shift32(s, (uint8_t)down) - light->s0 - h;
-      if (light->refine || (uint32_t)(e + light->margin) <= 2 * (uint32_t)light->margin) {
-        /* times 1 + rest with rest = 1 - x r, below 2^-13 */
-        int32_t rest = (INT32_C(1) << 30) - (int32_t)fc_mulhi32(*p << (31 - octave), r << 15);
-        s += fc_floor_shift32(fc_floor_shift32(s, 17) * rest, 13);
-        e = fc_floor_shift32(s, (uint8_t)down) - light->s0 - h;
-      }
-      if (e < -light->fine_margin) {
-        fc_scan_unlit(scan, row, column, 1);
-        continue;
-      }
-      lit = e > light->fine_margin;
+    e = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16);
+    e = fc_floor_shift32(e, (uint8_t)down) - away;
+    if ((uint32_t)e + margin <= 2 * margin) {
+      int32_t fine = light->fine_margin;
+      e = refined(light, along, v, octave);
+      if (e >= -fine && e <= fine) open |= bit;
     }
-    if (!lit || light->occluders != 0) {
-      if (!reaches(scan, light, row, column, lit)) {
-        fc_scan_unlit(scan, row, column, 1);
-        continue;
-      }
-      if (!lit) e = 0;
-    }
-    s = e + h;
-    if (s > INT32_C(1) << 24) {
-      s = INT32_C(1) << 24;
-      e = s - h;
-    }
+    *p = (uint32_t)e;
+  }
+  return open;
+}
+
+/* Colours the pixels of a row in `bits` from s - h > 0 of each. */
+static FC_NOINLINE void shade_row(const ball_light *restrict light, const fc_tint *restrict tint, uint32_t bits,
+                                  const uint32_t *restrict p, uint8_t *restrict to, uint8_t pixel_bytes) {
+  const uint32_t sum = (uint32_t)light->sum, h = (uint32_t)light->h >> 9, whole = (UINT32_C(1) << 24) - (uint32_t)light->h;
+  const uint32_t start = (uint32_t)light->h >> 8;
+  for (; bits != 0; bits >>= 1, to += pixel_bytes, p++) {
+    uint32_t e = *p, g;
+    uint8_t up = 15;
+    if (!(bits & 1)) continue;
+    if (e > whole) e = whole;
     /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
-    g = (uint32_t)(light->sum - ((s >> 8) * (h >> 9) >> 6)) << 6;
-    while (g < top) {
+    g = (sum - (((e >> 8) + start) * h >> 6)) << 6;
+    while (g < UINT32_C(1) << 30) {
       g <<= 2;
       up--;
     }
-    r = ((uint32_t)(e >> 9) * fc_rsqrt_q15(g)) >> up;
-    fc_tint_put(&scan->tint, r > 65536 ? 65536 : r, to);
-    if (scan->target->lit != NULL) fc_scan_lit(scan, row, column, 1);
+    e = ((e >> 9) * fc_rsqrt_q15(g)) >> up;
+    fc_tint_put(tint, e > 65536 ? 65536 : e, to);
   }
+}
+
+/* Lights the pixels of a row in `bits`, given p of each; p is used up. */
+static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
+                      uint32_t *p) {
+  uint32_t open, dark = 0, bit = 1, rest, *at = p;
+  uint16_t x = column;
+  open = facing_row(light, light->at + light->dx * column + light->dy * row, bits, p);
+  for (rest = bits; rest != 0; rest >>= 1, bit <<= 1, at++, x++) {
+    if (!(rest & 1)) continue;
+    if (open & bit) {
+      *at = 0;
+      if (!fc_scan_reached(scan, row, x)) dark |= bit;
+    } else if (*at >> 31 || (light->occluders != 0 && occluded(scan, light, row, x))) {
+      dark |= bit;
+    }
+  }
+  if (dark != 0) fc_scan_unlit(scan, row, column, dark);
+  bits &= ~dark;
+  fc_scan_lit(scan, row, column, bits);
+  shade_row(light, &scan->tint, bits, p, fc_scan_pixel(scan, row, column), scan->pixel_bytes);
 }
 
 /* ---- drawing ---- */
