@@ -18,13 +18,21 @@ static void matrix(const int64_t c[3], int64_t r, int64_t m[3][3]) {
 
 /* M W / 2^32: entries below 2^62, W within 2^30: each term below 2^60, the sum below 2^62; floors: up to 3 short. */
 static void apply(const int64_t m[3][3], const int32_t w[3], int64_t u[3]) {
-  uint8_t i;
-  for (i = 0; i < 3; i++) u[i] = fc_smul64hi(m[i][0], w[0]) + fc_smul64hi(m[i][1], w[1]) + fc_smul64hi(m[i][2], w[2]);
+  uint8_t i, j;
+  for (i = 0; i < 3; i++) {
+    u[i] = 0;
+    for (j = 0; j < 3; j++)
+      if (w[j] != 0) u[i] += fc_smul64hi(m[i][j], w[j]); /* primary rays move along one axis */
+  }
 }
 
 /* W.U / 2^32: terms below 2^60. */
 static int64_t dot(const int32_t w[3], const int64_t u[3]) {
-  return fc_smul64hi(u[0], w[0]) + fc_smul64hi(u[1], w[1]) + fc_smul64hi(u[2], w[2]);
+  int64_t sum = 0;
+  uint8_t i;
+  for (i = 0; i < 3; i++)
+    if (w[i] != 0) sum += fc_smul64hi(u[i], w[i]);
+  return sum;
 }
 
 void fc_cone_setup(fc_cone *cone, const int64_t center[3], int64_t radius, uint8_t center_error, const fc_sheaf *sheaf,

@@ -4,86 +4,65 @@
 #include "bits.h"
 #include "tally.h"
 
-static fc_i128 scaled(fc_i128 a, int64_t b) { return fc_i128_scale(a, b); }
-
-/* k D - (n.D) L an axis: k below 2^95, D 2^30; n.D 2^95, L 2^30: below 2^127. */
-static fc_i128 along(fc_i128 k, int64_t d, fc_i128 nd, int64_t light) {
-  return fc_i128_sub(scaled(k, d), scaled(nd, light));
-}
-
-static int32_t cut(fc_i128 v, uint8_t shift) { return (int32_t)fc_i128_to_i64(fc_i128_floor_shift(v, shift)); }
-
-static uint64_t magnitude(fc_i128 v, uint8_t shift) {
-  return fc_abs64(fc_i128_to_i64(fc_i128_floor_shift(v, shift))) + 1;
-}
-
 /* The cosine's numerator (k - n.L) (n.D) / |n| in the unit of W: affine too. */
 typedef struct cosine {
   int32_t at, dx, dy;
 } cosine;
 
-/* |v| to 2^-30. */
-static fc_quick quick_of(fc_i128 v) {
-  fc_i128 a = fc_i128_abs(v);
-  uint8_t bits = fc_i128_bits(a);
-  return bits <= 64 ? fc_quick_from(a.lo, 0) : fc_quick_from(fc_i128_floor_shift(a, (uint8_t)(bits - 64)).lo, (int16_t)(bits - 64));
-}
-
-static int32_t value_of(fc_quick factor, fc_i128 nd) {
-  int32_t v = fc_quick_to_int(fc_quick_mul(factor, quick_of(nd)), 0);
-  return fc_i128_sign(nd) < 0 ? -v : v;
-}
-
 /* 1 / |n|, and n / |n| in Q30. */
 static fc_quick normalise(const int64_t n[3], int32_t unit[3]) {
-  /* cut to 30 bits: 2^-29, and a sum of squares below 2^62 */
-  uint8_t bits = fc_vector_bits(n), shift = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
-  int64_t small[3];
-  fc_quick inverse;
-  for (i = 0; i < 3; i++) small[i] = fc_floor_shift64(n[i], shift);
-  inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_small_dot(small, small), 0));
-  for (i = 0; i < 3; i++) unit[i] = fc_quick_times(inverse, small[i], 30);
-  return fc_quick_scale(inverse, (int16_t)-shift);
+  /* below 2^30: a sum of squares below 2^62 */
+  fc_quick inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_small_dot(n, n), 0));
+  uint8_t i;
+  for (i = 0; i < 3; i++) unit[i] = fc_quick_times(inverse, n[i], 30);
+  return inverse;
 }
 
-/* W and the cosine's numerator over the tile. */
-static void set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
-  const int64_t *light = scan->frame->lights;
-  int64_t d[3], step;
-  fc_i128 nd, ndx, ndy, at[3], dx[3], dy[3];
+/* The largest component, in steps from a tile's first pixel to its farthest. */
+static uint64_t reach_of(int64_t at, int64_t dx, int64_t dy, const fc_scan *scan) {
+  /* |at| below 2^61; W is below that at the last column too, so the steps to it are below 2^62 */
+  return fc_abs64(at) + fc_abs64(dx) * scan->columns + fc_abs64(dy) * scan->rows;
+}
+
+/* W and the cosine's numerator over the tile; false when W is so small that its cuts would tell. */
+static bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
+  const int64_t *n = planar->normal, *light = scan->frame->lights;
+  int64_t d[3], step, nd, ndx, ndy, at[3], dx[3], dy[3];
   fc_quick factor;
   uint64_t most = 0;
-  uint8_t i, bits = 0, shift;
+  uint8_t i, shift;
   fc_scan_direction(scan, d, &step);
-  nd = fc_i128_dot(planar->normal, d);
-  ndx = fc_i128_mul(planar->normal[0], step);
-  ndy = fc_i128_mul(planar->normal[1], -step);
+  nd = fc_small_dot(n, d); /* 30 + 29 bits, three terms */
+  ndx = n[0] * step;
+  ndy = -n[1] * step;
   for (i = 0; i < 3; i++) {
-    uint8_t b;
-    at[i] = along(planar->k, d[i], nd, light[i]);
-    dx[i] = along(planar->k, i == 0 ? step : 0, ndx, light[i]);
-    dy[i] = along(planar->k, i == 1 ? -step : 0, ndy, light[i]);
-    b = fc_i128_bits(at[i]);
-    if (b > bits) bits = b;
-  }
-  /* |W| anywhere in the tile, in units of 2^shift, is below 2^30: measured in units 2^14 times as coarse */
-  shift = bits > 40 ? (uint8_t)(bits - 40) : 0;
-  for (i = 0; i < 3; i++) {
-    uint64_t sum = magnitude(at[i], shift) + magnitude(dx[i], shift) * scan->columns + magnitude(dy[i], shift) * scan->rows;
-    if (sum > most) most = sum;
+    /* k D - (n.D) L in units of 2^32: 62 + 30 bits each, so below 2^61; each within 2 */
+    int32_t l = (int32_t)light[i];
+    uint64_t reach;
+    at[i] = fc_smul64hi(planar->k, (int32_t)d[i]) - fc_smul64hi(nd, l);
+    dx[i] = -fc_smul64hi(ndx, l);
+    dy[i] = -fc_smul64hi(ndy, l);
+    if (i == 0) dx[i] += fc_smul64hi(planar->k, (int32_t)step);
+    if (i == 1) dy[i] -= fc_smul64hi(planar->k, (int32_t)step);
+    reach = reach_of(at[i], dx[i], dy[i], scan);
+    if (reach > most) most = reach;
   }
   i = fc_bits64(most);
-  shift = (uint8_t)(shift + i > 30 ? shift + i - 30 : 0);
+  if (i < 34) return false;
+  shift = (uint8_t)(i - 30);
   for (i = 0; i < 3; i++) {
-    planar->w.at[i] = cut(at[i], shift);
-    planar->w.dx[i] = cut(dx[i], shift);
-    planar->w.dy[i] = cut(dy[i], shift);
+    planar->w.at[i] = (int32_t)fc_floor_shift64(at[i], shift);
+    planar->w.dx[i] = (int32_t)fc_floor_shift64(dx[i], shift);
+    planar->w.dy[i] = (int32_t)fc_floor_shift64(dy[i], shift);
   }
-  planar->w.error = (uint32_t)scan->columns + scan->rows + 1;
-  factor = fc_quick_scale(fc_quick_mul(quick_of(planar->height), normalise(planar->normal, planar->unit)), (int16_t)-shift);
-  g->at = value_of(factor, nd);
-  g->dx = value_of(factor, ndx);
-  g->dy = value_of(factor, ndy);
+  /* each form is within 1 of its cut, and a cut normal moves W by less than 3 (2^30 2^30 + 2^30 2^30) */
+  planar->w.error = (uint32_t)scan->columns + scan->rows + 2;
+  if (planar->slack != 0) planar->w.error += (UINT32_C(6) << 28 >> shift) + 1;
+  factor = fc_quick_mul(fc_quick_from(fc_abs64(planar->height), (int16_t)(-32 - shift)), normalise(n, planar->unit));
+  g->at = fc_quick_times(factor, nd, 0);
+  g->dx = fc_quick_times(factor, ndx, 0);
+  g->dy = fc_quick_times(factor, ndy, 0);
+  return true;
 }
 
 uint8_t fc_ball_to_plane(const int64_t n[3], int64_t a, int64_t radius) {
@@ -97,18 +76,15 @@ uint8_t fc_ball_to_plane(const int64_t n[3], int64_t a, int64_t radius) {
 
 bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
                           fc_window *doubt) {
-  fc_i128 above = fc_i128_sub(receiver->k, fc_i128_dot(receiver->normal, center));
+  const int64_t *n = receiver->normal;
+  int64_t above = receiver->k - fc_small_dot(n, center), t[3], to_light[3]; /* 62 and 61 bits */
   fc_num length, r = fc_num_from_u64((uint64_t)radius, 0), rise, dip, reach, foot;
-  int64_t t[3], to_light[3];
   uint8_t i;
-  bool front = fc_i128_sign(above) > 0;
+  bool front = above > 0;
   doubt->x0 = doubt->y0 = 1;
   doubt->x1 = doubt->y1 = 0;
-  if (fc_vector_bits(receiver->normal) <= 30 && fc_i128_bits(above) <= 62) {
-    /* (k - n.C)^2 against r^2 n.n, exact: 124 bits against 60 + 62 */
-    const int64_t *n = receiver->normal;
-    int64_t a = fc_i128_to_i64(above);
-    uint8_t how = fc_ball_to_plane(n, a, radius);
+  if ((int64_t)fc_abs64(above) > receiver->slack) {
+    uint8_t how = fc_ball_to_plane(n, (int64_t)fc_abs64(above) - receiver->slack, radius);
     if (how == FC_BALL_CLEAR) return front;
     if (how == FC_BALL_DIPS && front) {
       /* |L - T| / h below 2^q; the reach is then below r / 16 + 2^(q + 1) 2^-12 r */
@@ -117,37 +93,45 @@ bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const 
         t[i] = center[i] + fc_floor_shift64((int64_t)receiver->unit[i] * radius, 30);
         to_light[i] = t[i] - scan->frame->lights[i];
       }
-      q = (int16_t)(fc_vector_bits(to_light) + 1 + fc_vector_bits(n) + 1 - fc_i128_bits(receiver->height) + 1);
+      q = (int16_t)(fc_vector_bits(to_light) + 1 + fc_vector_bits(n) + 1 - fc_bits64(fc_abs64(receiver->height)) + 1);
       if (q <= 7) {
         (void)fc_ball_window(scan->frame, t, (radius >> 4) + (radius >> (11 - (q < 0 ? 0 : q))) + 4, doubt);
         return true;
       }
     }
   }
-  length = fc_length(receiver->normal);
-  rise = fc_num_div(fc_num_from_abs(above), length); /* of the center over the plane, or below it */
-  if (front) {
+  length = fc_length(n);
+  rise = fc_num_div(fc_num_from_u64(fc_abs64(above), 0), length); /* of the center over the plane, or below it */
+  if (front)
     dip = fc_num_compare(r, rise) > 0 ? fc_num_sub(r, rise) : fc_num_from_u64(0, 0);
-    /* clear of the plane by more than the values' errors */
-    if (dip.m == 0 && fc_num_compare(fc_num_sub(rise, r), fc_num_scale(r, -40)) > 0) return true;
-  } else {
-    if (fc_num_compare(rise, r) > 0 && fc_num_compare(fc_num_sub(rise, r), fc_num_scale(r, -40)) > 0) return false;
+  else
     dip = fc_num_add(r, rise);
-  }
+  /* the values' errors, and what a cut normal may move */
   dip = fc_num_add(dip, fc_num_scale(r, -40));
+  dip = fc_num_add(dip, fc_num_div(fc_num_from_u64((uint64_t)receiver->slack, 0), length));
   /* T = C + n (k - n.C) / n.n, rounded */
   foot = fc_num_div(rise, length);
   for (i = 0; i < 3; i++) {
-    int64_t move = (int64_t)fc_num_round(fc_num_mul(foot, fc_num_from_u64(fc_abs64(receiver->normal[i]), 0)), 0);
-    t[i] = center[i] + ((receiver->normal[i] < 0) == front ? -move : move);
+    int64_t move = (int64_t)fc_num_round(fc_num_mul(foot, fc_num_from_u64(fc_abs64(n[i]), 0)), 0);
+    t[i] = center[i] + ((n[i] < 0) == front ? -move : move);
     to_light[i] = t[i] - scan->frame->lights[i];
   }
   reach = fc_num_scale(fc_num_sqrt(fc_num_mul(fc_num_scale(r, 1), dip)), 1);
-  foot = fc_num_div(fc_num_mul(fc_num_mul(dip, fc_length(to_light)), length), fc_num_from_abs(receiver->height));
-  reach = fc_num_add(reach, fc_num_scale(foot, 1));
-  if (fc_num_compare(reach, fc_num_from_u64(1, 31)) >= 0 || fc_vector_bits(t) > 31)
-    reach = fc_num_from_u64(1, 32); /* everywhere */
-  (void)fc_ball_window(scan->frame, t, (int64_t)fc_num_round(reach, 0) + 4, doubt);
+  foot = fc_num_mul(fc_num_mul(dip, fc_length(to_light)), length);
+  if ((int64_t)fc_abs64(receiver->height) <= 2 * receiver->slack) {
+    reach = fc_num_from_u64(1, 32); /* the light all but in the plane */
+  } else {
+    /* twice, for the height's own slack */
+    foot = fc_num_div(foot, fc_num_from_u64(fc_abs64(receiver->height), 0));
+    reach = fc_num_add(reach, fc_num_scale(foot, 2));
+  }
+  if (fc_num_compare(reach, fc_num_from_u64(1, 31)) >= 0 || fc_vector_bits(t) > 30) {
+    doubt->x0 = doubt->y0 = 0; /* everywhere */
+    doubt->x1 = scan->frame->width - 1;
+    doubt->y1 = scan->frame->height - 1;
+  } else {
+    (void)fc_ball_window(scan->frame, t, (int64_t)fc_num_round(reach, 0) + 4, doubt);
+  }
   return true;
 }
 
@@ -303,30 +287,57 @@ static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
   }
 }
 
-void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k) {
+/* The plane turned to the eye, and cut to 30 bits. */
+static void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t normal[3], fc_i128 k, const int64_t point[3]) {
+  uint8_t bits = fc_vector_bits(normal), cut = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
+  bool away = fc_i128_sign(k) < 0;
+  for (i = 0; i < 3; i++) {
+    int64_t n = fc_floor_shift64(normal[i], cut);
+    planar->normal[i] = away ? -n : n;
+  }
+  if (cut == 0)
+    planar->k = fc_i128_to_i64(away ? fc_i128_neg(k) : k);
+  else
+    planar->k = fc_small_dot(planar->normal, point);
+  /* an axis of the normal is off by up to 1, of p - point by up to 2^31 */
+  planar->slack = cut == 0 ? 0 : INT64_C(3) << 31;
+  planar->height = planar->k - fc_small_dot(planar->normal, scan->frame->lights);
+}
+
+/* Whether the light is on the eye's side, exactly. */
+static bool faces(const fc_scan *scan, const fc_planar *planar, const int64_t normal[3], fc_i128 k) {
+  if ((int64_t)fc_abs64(planar->height) > planar->slack || planar->slack == 0) return planar->height > 0;
+  /* 63 + 30 bits */
+  return fc_i128_sign(fc_i128_sub(k, fc_i128_dot(normal, scan->frame->lights))) * fc_i128_sign(k) > 0;
+}
+
+void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t point[3]) {
   fc_planar planar;
   cosine g;
   uint16_t row;
-  uint8_t word, i;
-  bool any = false, away = fc_i128_sign(k) < 0, faces;
-  for (i = 0; i < 3; i++) planar.normal[i] = away ? -normal[i] : normal[i];
-  planar.k = away ? fc_i128_neg(k) : k;
-  planar.height = fc_i128_sub(planar.k, fc_i128_dot(planar.normal, scan->frame->lights));
-  faces = fc_i128_sign(planar.height) > 0;
+  uint8_t word;
+  bool any = false, lit = true, known = false, slow = false;
   for (row = scan->first_row; row <= scan->last_row; row++) {
     for (word = 0; word < scan->words; word++) {
       uint32_t *bits = &scan->mask[row * scan->words + word];
       if (*bits == 0) continue;
-      if (!fc_scan_wants_light(scan, row, (uint16_t)(32 * word), *bits))
-        *bits = 0;
-      else if (!faces)
+      if (!fc_scan_wants_light(scan, row, (uint16_t)(32 * word), *bits)) continue;
+      if (!known) {
+        set_plane(scan, &planar, normal, k, point);
+        lit = faces(scan, &planar, normal, k);
+        /* the eye, or W, too close to the plane for the forms */
+        slow = lit && (planar.k <= planar.slack || !set_forms(scan, &planar, &g));
+        known = true;
+      }
+      if (!lit)
         fc_scan_unlit(scan, row, (uint16_t)(32 * word), *bits);
+      else if (slow)
+        fc_scan_shade_slowly(scan, row, (uint16_t)(32 * word), *bits);
       else
         any = true;
     }
   }
-  if (!any || !faces) return;
-  set_forms(scan, &planar, &g);
+  if (!any) return;
   cast_shadows(scan, &planar);
   shade(scan, &planar, &g);
 }

@@ -16,18 +16,21 @@
 #include "scan.h"
 
 struct fc_planar {
-  int64_t normal[3]; /* towards the far side, seen from the eye; below 2^63 */
+  int64_t normal[3]; /* towards the far side, seen from the eye; below 2^30 */
   int32_t unit[3];   /* the same, Q30, within 2^-25 */
-  fc_i128 k;         /* > 0 */
-  fc_i128 height;    /* k - n.L > 0: the light is on the eye's side */
+  int64_t k;         /* > 0, below 2^62 */
+  int64_t height;    /* k - n.L: > 0 when the light is on the eye's side */
+  int64_t slack;     /* sides of the plane, k - n.p, are within this of what the exact normal says, in units of its cut; 0:
+                      * the normal is exact */
   fc_sheaf w;        /* from the light to the points of the tile */
 };
 
-/* Shades the masked pixels of a tile on the plane n.p = k: facing, shadows, cosines. */
-void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k);
+/* Shades the masked pixels of a tile on the plane n.p = k: facing, shadows, cosines. |n| below 2^63. `point`: a whole point
+ * of the plane, needed when |n| is not below 2^30. */
+void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t point[3]);
 
 /*
- * How a ball lies to a plane n . p = k, given the side of its center (a = k - n.C): clear of it, touching at most; dipping
+ * How a ball lies to a plane n . p = k, given the side of its center (a = |k - n.C|): clear of it, touching at most; dipping
  * by no more than 2^-12 of its radius; or cutting it. |n| below 2^30, the radius too.
  */
 enum { FC_BALL_CLEAR, FC_BALL_DIPS, FC_BALL_CUTS };

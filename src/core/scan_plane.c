@@ -15,13 +15,13 @@ void fc_plane_draw(fc_scan *scan) {
     fc_scan_direction(scan, d, &step);
     /* near / z = (n.D) near / (k F): n.D below 2^63, the factor 32 bits */
     if (scan->form->u.plane.k < 0) scale = fc_i128_neg(scale);
-    v = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, n[0] * d[0] + n[1] * d[1] + n[2] * d[2]), placed->shift));
+    v = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, fc_small_dot(n, d)), placed->shift));
     dx = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, n[0] * step), placed->shift));
     dy = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, -n[1] * step), placed->shift));
     for (row = 0; row <= scan->last_row; row++, v += dy)
       if (row >= scan->first_row) fc_scan_affine(scan, row, 0, (uint16_t)(scan->columns - 1), v, dx, placed->gain, 3);
   }
-  fc_planar_light(scan, n, fc_i128_from(scan->form->u.plane.k));
+  fc_planar_light(scan, n, fc_i128_from(scan->form->u.plane.k), NULL);
 }
 
 void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
@@ -75,7 +75,7 @@ bool fc_plane_between(const fc_frame *frame, const fc_form *form, const int64_t 
   /* 62 and 30 + 30 + 2 bits; lights of the scan engine are within 2^30 */
   const int64_t *n = form->u.plane.normal;
   int64_t ball = form->u.plane.k - fc_small_dot(n, center), lamp = form->u.plane.k - fc_small_dot(n, light), foot[3];
-  uint8_t how = fc_ball_to_plane(n, ball, radius), i;
+  uint8_t how = fc_ball_to_plane(n, (int64_t)fc_abs64(ball), radius), i;
   window->x0 = window->y0 = 0;
   window->x1 = frame->width - 1;
   window->y1 = frame->height - 1;

@@ -187,12 +187,13 @@ static FC_NOINLINE int32_t refined(const ball_light *light, int32_t along, uint3
   return fc_floor_shift32(s, (uint8_t)(octave + light->shift)) - light->away;
 }
 
-/* Turns p of the pixels in `bits` into s - h in Q24; returns those that are within the margin, or out of reach. */
-static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *p) {
+/* Turns p of the pixels in `bits` into s - h in Q24; returns those that are within the margin, or out of reach, and in
+ * *averted those that do not face the light. */
+static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *p, uint32_t *averted) {
   const int32_t dx = light->dx, away = light->away;
   const uint32_t margin = (uint32_t)light->margin;
   const uint16_t shift = (uint16_t)light->shift;
-  uint32_t low = UINT32_C(1) << 31, open = 0, bit = 1;
+  uint32_t low = UINT32_C(1) << 31, open = 0, dark = 0, bit = 1;
   uint8_t octave = 31;
   for (; bits != 0; bits >>= 1, bit <<= 1, p++, along += dx) {
     uint32_t v = *p, r;
@@ -222,8 +223,10 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
       e = refined(light, along, v, octave);
       if (e >= -fine && e <= fine) open |= bit;
     }
+    if (e < 0) dark |= bit;
     *p = (uint32_t)e;
   }
+  *averted = dark & ~open;
   return open;
 }
 
@@ -251,15 +254,17 @@ static FC_NOINLINE void shade_row(const ball_light *restrict light, const fc_tin
 /* Lights the pixels of a row in `bits`, given p of each; p is used up. */
 static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
                       uint32_t *p) {
-  uint32_t open, dark = 0, bit = 1, rest, *at = p;
-  uint16_t x = column;
-  open = facing_row(light, light->at + light->dx * column + light->dy * row, bits, p);
-  for (rest = bits; rest != 0; rest >>= 1, bit <<= 1, at++, x++) {
+  uint32_t open, dark, bit = 1, rest;
+  uint8_t i;
+  open = facing_row(light, light->at + light->dx * column + light->dy * row, bits, p, &dark);
+  rest = light->occluders == 0 ? open : bits & ~dark;
+  for (i = 0; rest != 0; rest >>= 1, bit <<= 1, i++) {
+    uint16_t x = (uint16_t)(column + i);
     if (!(rest & 1)) continue;
     if (open & bit) {
-      *at = 0;
+      p[i] = 0;
       if (!fc_scan_reached(scan, row, x)) dark |= bit;
-    } else if (*at >> 31 || (light->occluders != 0 && occluded(scan, light, row, x))) {
+    } else if (occluded(scan, light, row, x)) {
       dark |= bit;
     }
   }
