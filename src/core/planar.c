@@ -213,32 +213,34 @@ static FC_NOINLINE void shade_run(const fc_tint *restrict tint, cosine_row *rest
 }
 
 /*
- * The same four pixels at a time, levels in between by the chord. The cosine is a unit vector's component, u.n with
- * u = W / |W|, so its second difference is at most 5 (|dW| / |W|)^2 and a chord over 4 columns is off by at most
- * 4^2 / 8 of that: 2^-10, a fifth of a level in 255, when q >= 5120 ddq (ddq is twice |dW|^2; the test asks for 5461).
+ * The same 2^s pixels at a time, levels in between by the chord. The cosine is a unit vector's component, u.n with
+ * u = W / |W|, so its second difference is at most 5 (|dW| / |W|)^2 and a chord over m columns is off by at most
+ * m^2 / 8 of that: 2^-10, a fifth of a level in 255, when q >= 320 m^2 ddq (ddq is twice |dW|^2).
  */
 static FC_NOINLINE void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
-                                     uint32_t bits, uint8_t *restrict to) {
+                                     uint32_t bits, uint8_t *restrict to, uint8_t s) {
+  /* s steps at once: q by m dq + m (m - 1) / 2 ddq */
+  const uint32_t q_bend = (r->ddq << (2 * s - 1)) - (r->ddq << (s - 1)), chunk = (UINT32_C(1) << (1 << s)) - 1;
   uint32_t level[3], c = cosine_of(r->q, r->g);
   level[0] = tint->base[0] + tint->slope[0] * c;
   level[1] = tint->base[1] + tint->slope[1] * c;
   level[2] = tint->base[2] + tint->slope[2] * c;
   while (count != 0) {
-    uint32_t red = level[0], green = level[1], blue = level[2], d_red, d_green, d_blue, nibble = bits & 15u;
-    uint8_t *at;
-    r->q += 4 * r->dq + 6 * r->ddq;
-    r->dq += 4 * r->ddq;
-    r->g += 4 * dg;
+    uint32_t red = level[0], green = level[1], blue = level[2], d_red, d_green, d_blue, some = bits & chunk;
+    uint8_t *at = to;
+    r->q += (r->dq << s) + q_bend;
+    r->dq += r->ddq << s;
+    r->g += dg * (INT32_C(1) << s);
     c = cosine_of(r->q, r->g);
     level[0] = tint->base[0] + tint->slope[0] * c;
     level[1] = tint->base[1] + tint->slope[1] * c;
     level[2] = tint->base[2] + tint->slope[2] * c;
-    /* differences of levels below 2^31: a quarter of them, floored */
-    d_red = (uint32_t)fc_floor_shift32(fc_to_i32(level[0] - red), 2);
-    d_green = (uint32_t)fc_floor_shift32(fc_to_i32(level[1] - green), 2);
-    d_blue = (uint32_t)fc_floor_shift32(fc_to_i32(level[2] - blue), 2);
-    for (at = to; nibble != 0; nibble >>= 1) {
-      if (nibble & 1) {
+    /* differences of levels below 2^29 */
+    d_red = (uint32_t)fc_floor_shift32(fc_to_i32(level[0] - red), s);
+    d_green = (uint32_t)fc_floor_shift32(fc_to_i32(level[1] - green), s);
+    d_blue = (uint32_t)fc_floor_shift32(fc_to_i32(level[2] - blue), s);
+    for (; some != 0; some >>= 1) {
+      if (some & 1) {
         uint32_t packed = (((red >> FC_TINT_BITS) << 6 | green >> FC_TINT_BITS) << 5) | blue >> FC_TINT_BITS;
         at[0] = (uint8_t)(packed >> 8);
         at[1] = (uint8_t)packed;
@@ -248,10 +250,16 @@ static FC_NOINLINE void shade_chords(const fc_tint *restrict tint, cosine_row *r
       green += d_green;
       blue += d_blue;
     }
-    to += 8;
-    bits >>= 4;
-    count = count < 4 ? 0 : (uint8_t)(count - 4);
+    to += 2 << s;
+    bits >>= 1 << s;
+    count = count <= 1 << s ? 0 : (uint8_t)(count - (1 << s));
   }
+}
+
+/* The longest chords that are good enough where the forms stand: 2^s pixels; 0: none. */
+static uint8_t chord_of(const cosine_row *r) {
+  uint32_t q = r->q >> 10, least = r->ddq + (r->ddq >> 2); /* 1280 = 1024 * 5 / 4 */
+  return q >> 4 >= least ? 3 : q >> 2 >= least ? 2 : q >= least ? 1 : 0;
 }
 
 static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
@@ -263,7 +271,7 @@ static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word];
       uint16_t at = column;
-      uint8_t count = 32;
+      uint8_t count = 32, chord;
       if (bits == 0) continue;
       while (!(bits & 1)) {
         bits >>= 1;
@@ -276,9 +284,10 @@ static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
       }
       if (at != next || word % 4 == 0) start_row(planar, g, row, at, &forms);
       fc_scan_lit(scan, row, at, bits);
-      if (scan->tint.plain && (forms.q >> 13) + (forms.q >> 14) >= forms.ddq && count > 3) {
-        shade_chords(&scan->tint, &forms, g->dx, count, bits, fc_scan_pixel(scan, row, at));
-        next = count % 4 == 0 ? (uint16_t)(at + count) : UINT16_MAX;
+      chord = scan->tint.plain ? chord_of(&forms) : 0;
+      if (chord != 0) {
+        shade_chords(&scan->tint, &forms, g->dx, count, bits, fc_scan_pixel(scan, row, at), chord);
+        next = count % (1 << chord) == 0 ? (uint16_t)(at + count) : UINT16_MAX;
       } else {
         shade_run(&scan->tint, &forms, g->dx, count, bits, fc_scan_pixel(scan, row, at), scan->pixel_bytes);
         next = (uint16_t)(at + count);
@@ -313,7 +322,7 @@ static bool faces(const fc_scan *scan, const fc_planar *planar, const int64_t no
 
 void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t point[3]) {
   fc_planar planar;
-  cosine g;
+  cosine g = {0, 0, 0};
   uint16_t row;
   uint8_t word;
   bool any = false, lit = true, known = false, slow = false;

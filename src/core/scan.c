@@ -180,6 +180,24 @@ static FC_NOINLINE uint32_t affine_word(const fc_scan *scan, uint16_t row, uint1
   return bits;
 }
 
+enum { RUN_HIDDEN, RUN_PLAIN, RUN_MIXED };
+
+/* What a run of pixels is: near / z is monotone, so what holds at both ends holds in between. Hidden: missed, or beyond
+ * the far limit; plain: within it, in one octave, to which the coder is set. */
+static int8_t affine_run(const fc_scan *scan, uint64_t at, int64_t step, uint8_t count, uint8_t gain, int32_t margin,
+                         bool clip, fc_coder *coder) {
+  int32_t a = fc_to_i32((uint32_t)(at >> 32)), b = fc_to_i32((uint32_t)((at + (uint64_t)step * (uint8_t)(count - 1)) >> 32));
+  int32_t low = a < b ? a : b, high = a < b ? b : a;
+  if (high < -margin) return RUN_HIDDEN;
+  if (clip) {
+    if (high < INT32_C(1) << (30 - gain) && (uint32_t)(high + margin) << gain < scan->frame->far_low) return RUN_HIDDEN;
+    if (low <= margin || (uint32_t)(low - margin) << gain <= scan->frame->far_high) return RUN_MIXED;
+  }
+  if (low <= margin) return RUN_MIXED;
+  fc_coder_follow(coder, scan->frame, (uint32_t)high);
+  return (uint32_t)low >= coder->low && coder->base >= 1 ? RUN_PLAIN : RUN_MIXED;
+}
+
 void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, int64_t value, int64_t step,
                     uint8_t gain, uint32_t error) {
   uint32_t *mask = scan->mask + row * scan->words + (first >> 5);
@@ -187,7 +205,7 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
   int32_t low = begin < end ? begin : end, high = begin < end ? end : begin;
   const int32_t limit = INT32_C(1) << (30 - gain);
   fc_coder coder;
-  bool clip = scan->clip_far, fast;
+  bool clip = scan->clip_far;
   uint64_t at = (uint64_t)value;
   uint16_t column = first;
   if (high < -margin) return;
@@ -197,30 +215,31 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
   }
   fc_coder_start(&coder, scan->frame, (int16_t)-gain, high > 0 ? (uint32_t)high : 1);
   while (column <= last) {
-    uint8_t count = (uint8_t)(32 - (column & 31));
+    uint8_t count = (uint8_t)(32 - (column & 31)), done = 0;
     uint32_t bits = 0, bit = UINT32_C(1) << (column & 31);
-    uint64_t next;
     if (count > last - column + 1) count = (uint8_t)(last - column + 1);
-    next = at + (count == 32 ? (uint64_t)step << 5 : (uint64_t)step * count);
-    /* near / z is monotone: what holds at both ends holds in between */
-    begin = fc_to_i32((uint32_t)(at >> 32));
-    end = fc_to_i32((uint32_t)((next - (uint64_t)step) >> 32));
-    low = begin < end ? begin : end;
-    high = begin < end ? end : begin;
-    if (low > margin && (!clip || (uint32_t)(low - margin) << gain > scan->frame->far_high)) {
-      fc_coder_follow(&coder, scan->frame, (uint32_t)high);
-      fast = (uint32_t)low >= coder.low && coder.base >= 1;
-    } else {
-      fast = false;
+    /* a word, or where an octave or the far limit cuts it, eight pixels at a time, or one */
+    while (done < count) {
+      uint8_t chunk = (uint8_t)(count - done);
+      int8_t how = affine_run(scan, at, step, chunk, gain, margin, clip, &coder);
+      if (how == RUN_MIXED && chunk > 8) {
+        chunk = 8;
+        how = affine_run(scan, at, step, chunk, gain, margin, clip, &coder);
+      }
+      if (how == RUN_PLAIN) {
+        bits |= affine_word(scan, row, (uint16_t)(column + done), bit, chunk, at, (uint64_t)step, error, &coder);
+        at += (uint64_t)step * chunk;
+      } else if (how == RUN_MIXED) {
+        uint8_t i;
+        for (i = 0; i < chunk; i++, at += (uint64_t)step)
+          if (affine_pixel(scan, row, (uint16_t)(column + done + i), fc_high_word(fc_to_i64(at)), gain, error, clip, &coder))
+            bits |= bit << i;
+      } else {
+        at += (uint64_t)step * chunk;
+      }
+      bit = chunk == 32 ? 0 : bit << chunk;
+      done = (uint8_t)(done + chunk);
     }
-    if (fast) {
-      bits = affine_word(scan, row, column, bit, count, at, (uint64_t)step, error, &coder);
-    } else if (high >= -margin && !(clip && high < limit && (uint32_t)(high + margin) << gain < scan->frame->far_low)) {
-      uint8_t i;
-      for (i = 0; i < count; i++, bit <<= 1, at += (uint64_t)step)
-        if (affine_pixel(scan, row, (uint16_t)(column + i), fc_high_word(fc_to_i64(at)), gain, error, clip, &coder)) bits |= bit;
-    }
-    at = next;
     column = (uint16_t)(column + count);
     *mask++ |= bits;
   }

@@ -200,6 +200,10 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
     int32_t e;
     uint16_t down;
     if (!(bits & 1)) continue;
+    if (v == 0) { /* shown by the ray engine */
+      open |= bit;
+      continue;
+    }
     while (v < low) {
       low >>= 1;
       octave--;
@@ -261,7 +265,11 @@ static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row
   for (i = 0; rest != 0; rest >>= 1, bit <<= 1, i++) {
     uint16_t x = (uint16_t)(column + i);
     if (!(rest & 1)) continue;
-    if (open & bit) {
+    if ((open & bit) && p[i] == 0) {
+      fc_scan_shade_slowly(scan, row, x, 1);
+      bits &= ~bit;
+    } else if (open & bit) {
+      /* within a hair of the terminator */
       p[i] = 0;
       if (!fc_scan_reached(scan, row, x)) dark |= bit;
     } else if (occluded(scan, light, row, x)) {
@@ -283,7 +291,7 @@ typedef struct sphere_forms {
   uint32_t b_step;
   int32_t outside;      /* high word of f below this: outside */
   int32_t inside;       /* above this: inside, and sqrt(f) is good */
-  uint32_t factor, error;
+  uint32_t error;       /* of p */
   int16_t drop;
   uint8_t lift, half_lift;
   bool clip;
@@ -322,7 +330,7 @@ static FC_NOINLINE uint32_t *inside_run(const sphere_forms *ball, sphere_row *at
   uint64_t f = at->f, dx = at->dx;
   const uint64_t dxx = (uint64_t)ball->cone.dxx;
   uint32_t b = at->b;
-  const uint32_t b_dx = ball->b_step, factor = ball->factor;
+  const uint32_t b_dx = ball->b_step;
   const uint8_t lift = ball->lift;
   while (to != end) {
     uint32_t high = (uint32_t)(f >> 32), m;
@@ -333,7 +341,7 @@ static FC_NOINLINE uint32_t *inside_run(const sphere_forms *ball, sphere_row *at
       m <<= 2;
       k++;
     }
-    *to++ = fc_mulhi32(b + (fc_sqrt_q32(m) >> k), factor);
+    *to++ = b + (fc_sqrt_q32(m) >> k);
     f += dx;
     dx += dxx;
     b += b_dx;
@@ -411,6 +419,25 @@ static FC_NOINLINE uint32_t draw_word(const fc_scan *scan, const sphere_forms *b
   return exact | test_run(scan, row, (uint16_t)(column + (first - ps)), first, last, ball->error, coder) << (first - ps);
 }
 
+/* 2 floor(a b / 2^32) */
+static int64_t scaled(int64_t a, int32_t b) { return 2 * fc_smul64hi(a, b); }
+
+/* Multiplies b and sqrt(f) by factor / 2^32, so that their sum is p. */
+static void fold(sphere_forms *ball, uint32_t factor, int64_t *b_dy, int64_t steps) {
+  const int32_t once = (int32_t)(factor >> 1), twice = (int32_t)(fc_mulhi32(factor, factor) >> 1);
+  ball->b = scaled(ball->b, once);
+  ball->b_dx = scaled(ball->b_dx, once);
+  *b_dy = scaled(*b_dy, once);
+  ball->cone.f = scaled(ball->cone.f, twice);
+  ball->cone.dx = scaled(ball->cone.dx, twice);
+  ball->cone.dxx = scaled(ball->cone.dxx, twice);
+  ball->cone.dy = scaled(ball->cone.dy, twice);
+  ball->cone.dyy = scaled(ball->cone.dyy, twice);
+  ball->cone.dxy = scaled(ball->cone.dxy, twice);
+  /* floors of 2 in each, as in fc_cone_setup */
+  ball->cone.error += 4 * steps * steps;
+}
+
 static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere_forms *ball, int64_t *b_dy) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, unit;
@@ -435,7 +462,6 @@ static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *pl
   ball->b = fc_small_dot(c, d) * unit;
   ball->b_dx = c[0] * step * unit;
   *b_dy = -c[1] * step * unit;
-  ball->factor = placed->factor;
   /* The greatest f, r^2 |W|^2 2^(scale - 64), is lifted to 64 bits. */
   {
     int32_t bits = 2 * fc_bits64((uint64_t)scan->form->u.sphere.radius) + 62 + ball->cone.scale - 64;
@@ -454,6 +480,7 @@ static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *pl
     ball->b_dx *= INT64_C(1) << gain;
     *b_dy *= INT64_C(1) << gain;
     ball->half_lift = (uint8_t)(ball->half_lift - gain);
+    fold(ball, placed->factor, b_dy, (int64_t)scan->columns + scan->rows + 1);
     /* near / z = (b + sqrt f) 2^(31 - gain - scale / 2) factor 2^exponent */
     ball->drop = (int16_t)-(placed->exponent + 93 - half - gain);
   }
@@ -461,7 +488,7 @@ static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *pl
   /* From here on the form's own error moves sqrt(f) by less than 1. */
   ball->outside = fc_high_word(-ball->cone.error);
   ball->inside = fc_high_word(ball->cone.error * (ball->cone.error / 4 + 1)) + 1;
-  /* the root's error (32 before the shift), the form's, b's rounding and drift, and the factor's */
+  /* the root's error (32 before the shift), the form's, b's rounding and drift, and the factors' cuts */
   ball->error = (32u >> ball->half_lift) + 22;
 }
 
