@@ -188,6 +188,10 @@ static FC_NOINLINE void cosines(const ball_light *light, int32_t along, uint32_t
     uint8_t up = 15;
     int16_t down;
     if (!(bits & 1)) continue;
+    if (*p < UINT32_C(1) << 15) { /* too far for 16 bits of it, or 0: the ray engine has told the depth */
+      *p = COSINE_OPEN;
+      continue;
+    }
     while (*p < low) {
       low >>= 1;
       octave--;
