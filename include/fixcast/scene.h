@@ -111,6 +111,7 @@ typedef struct fc_scene {
   int32_t far_limit;   /* surfaces farther along the ray than far_limit * 2^far_exponent world coordinates
                         * are background; 0: no limit; 1..FC_COORDINATE_MAX otherwise */
   fc_rgb ambient, background;
+  const struct fc_bvh *bvh; /* a bounding volume hierarchy of just these shapes (bvh.h), or NULL */
 } fc_scene;
 
 /* Checks every table against its documented ranges: FC_OK or an error. Frames are set up from checked scenes only;

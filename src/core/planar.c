@@ -2,6 +2,7 @@
 #include "planar.h"
 
 #include "bits.h"
+#include "search.h"
 #include "tally.h"
 
 static fc_i128 scaled(fc_i128 a, int64_t b) { return fc_i128_scale(a, b); }
@@ -160,22 +161,27 @@ void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder) 
     }
 }
 
+typedef struct caster {
+  fc_scan *scan;
+  const fc_planar *planar;
+} caster;
+
+static bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
+  const caster *c = context;
+  fc_form form;
+  if ((uint16_t)(at->group.first + index) == c->scan->primitive) return false;
+  fc_kind_of(at)->fetch(&at->group, index, &form);
+  fc_kind_of(at)->shadow(c->scan, c->planar, fc_kind_of(at), &form);
+  return false;
+}
+
 /* Candidates for occluders, each asked to darken what it can. */
 static void cast_shadows(fc_scan *scan, const fc_planar *planar) {
-  fc_space space;
-  fc_cursor cursor;
-  space.scene = &scan->frame->scene;
-  space.memory = scan->frame->memory;
-  fc_cursor_start(&cursor, &space);
-  while (fc_cursor_next(&cursor)) {
-    uint16_t i;
-    for (i = 0; i < cursor.group.shapes.count; i++) {
-      fc_form form;
-      if ((uint16_t)(cursor.group.first + i) == scan->primitive) continue;
-      fc_kind_of(&cursor)->fetch(&cursor.group, i, &form);
-      fc_kind_of(&cursor)->shadow(scan, planar, fc_kind_of(&cursor), &form);
-    }
-  }
+  fc_space space = fc_space_of_frame(scan->frame);
+  caster c;
+  c.scan = scan;
+  c.planar = planar;
+  (void)fc_space_search(&space, NULL, cast_one, &c);
 }
 
 /* What cosines need of a row: W.W / 2^30 and its differences, and the numerator. */

@@ -2,6 +2,7 @@
 #include "cone.h"
 #include "planar.h"
 #include "scan_kinds.h"
+#include "search.h"
 
 /* ---- set-up, once a frame ---- */
 
@@ -80,33 +81,46 @@ typedef struct ball_light {
 enum { LIGHT_AWAY, LIGHT_FORMS, LIGHT_SLOW };
 #define MANY 255
 
-static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
-  fc_space space;
-  fc_cursor cursor;
-  space.scene = &scan->frame->scene;
-  space.memory = scan->frame->memory;
-  light->occluders = 0;
-  fc_cursor_start(&cursor, &space);
-  while (fc_cursor_next(&cursor)) {
-    uint16_t i;
-    for (i = 0; i < cursor.group.shapes.count; i++) {
-      fc_form form;
-      fc_window box;
-      uint16_t primitive = (uint16_t)(cursor.group.first + i);
-      if (primitive == scan->primitive) continue;
-      fc_kind_of(&cursor)->fetch(&cursor.group, i, &form);
-      if (!fc_kind_of(&cursor)->between(scan->frame, &form, scan->frame->lights, scan->form->u.sphere.center,
+typedef struct occluder_list {
+  const fc_scan *scan;
+  ball_light *light;
+} occluder_list;
+
+static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
+  const occluder_list *list = context;
+  const fc_scan *scan = list->scan;
+  ball_light *light = list->light;
+  fc_form form;
+  fc_window box;
+  uint16_t primitive = (uint16_t)(at->group.first + index);
+  if (primitive == scan->primitive) return false;
+  fc_kind_of(at)->fetch(&at->group, index, &form);
+  if (!fc_kind_of(at)->between(scan->frame, &form, scan->frame->lights, scan->form->u.sphere.center,
                                scan->form->u.sphere.radius, &box))
-        continue;
-      if (light->occluders == FC_COUNT_OF(light->occluder)) {
-        light->occluders = MANY;
-        return;
-      }
-      light->occluder[light->occluders].primitive = primitive;
-      set_window(scan->frame, &box, &light->occluder[light->occluders].window);
-      light->occluders++;
-    }
+    return false;
+  if (light->occluders == FC_COUNT_OF(light->occluder)) {
+    light->occluders = MANY;
+    return true;
   }
+  light->occluder[light->occluders].primitive = primitive;
+  set_window(scan->frame, &box, &light->occluder[light->occluders].window);
+  light->occluders++;
+  return false;
+}
+
+static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
+  fc_space space = fc_space_of_frame(scan->frame);
+  fc_reach reach;
+  occluder_list list;
+  list.scan = scan;
+  list.light = light;
+  light->occluders = 0;
+  reach.from = scan->frame->lights;
+  reach.to = scan->form->u.sphere.center;
+  reach.corners = 1;
+  reach.radius = scan->form->u.sphere.radius;
+  reach.limited = false;
+  (void)fc_space_search(&space, &reach, add_occluder, &list);
 }
 
 static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop) {
@@ -154,13 +168,11 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
 
 /* Whether an occluder in the list keeps the light away. */
 static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column) {
-  fc_space space;
+  fc_space space = fc_space_of_frame(scan->frame);
   fc_cursor cursor;
   uint8_t i;
   uint16_t index;
   if (light->occluders == MANY) return !fc_scan_reached(scan, row, column);
-  space.scene = &scan->frame->scene;
-  space.memory = scan->frame->memory;
   for (i = 0; i < light->occluders; i++) {
     fc_form form;
     const fc_placed_window *window = &light->occluder[i].window;
