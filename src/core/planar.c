@@ -36,14 +36,19 @@ static int32_t value_of(fc_quick factor, fc_i128 nd) {
 }
 
 /* 1 / |n|, and n / |n| in Q30. */
-static fc_quick normalise(const int64_t n[3], int32_t unit[3]) {
+static fc_quick normalise(fc_planar *planar) {
+  const int64_t *n = planar->normal;
   /* cut to 30 bits: 2^-29, and a sum of squares below 2^62 */
   uint8_t bits = fc_vector_bits(n), shift = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
   int64_t small[3];
   fc_quick inverse;
-  for (i = 0; i < 3; i++) small[i] = fc_floor_shift64(n[i], shift);
+  for (i = 0; i < 3; i++) {
+    small[i] = fc_floor_shift64(n[i], shift);
+    planar->small[i] = (int32_t)small[i];
+  }
+  planar->small_k = fc_i128_to_i64(fc_i128_floor_shift(planar->k, shift));
   inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_small_dot(small, small), 0));
-  for (i = 0; i < 3; i++) unit[i] = fc_quick_times(inverse, small[i], 30);
+  for (i = 0; i < 3; i++) planar->unit[i] = fc_quick_times(inverse, small[i], 30);
   return fc_quick_scale(inverse, (int16_t)-shift);
 }
 
@@ -81,7 +86,7 @@ static void set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
     planar->w.dy[i] = cut(dy[i], shift);
   }
   planar->w.error = (uint32_t)scan->columns + scan->rows + 1;
-  factor = fc_quick_scale(fc_quick_mul(quick_of(planar->height), normalise(planar->normal, planar->unit)), (int16_t)-shift);
+  factor = fc_quick_scale(fc_quick_mul(quick_of(planar->height), normalise(planar)), (int16_t)-shift);
   g->at = value_of(factor, nd);
   g->dx = value_of(factor, ndx);
   g->dy = value_of(factor, ndy);

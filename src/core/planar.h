@@ -18,6 +18,8 @@
 struct fc_planar {
   int64_t normal[3]; /* towards the far side, seen from the eye; below 2^63 */
   int32_t unit[3];   /* the same, Q30, within 2^-25 */
+  int32_t small[3];  /* floor(normal / 2^s), below 2^30, ... */
+  int64_t small_k;   /* ... and floor(k / 2^s), below 2^63 */
   fc_i128 k;         /* > 0 */
   fc_i128 height;    /* k - n.L > 0: the light is on the eye's side */
   fc_sheaf w;        /* from the light to the points of the tile */
