@@ -181,12 +181,18 @@ static bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
 }
 
 /* Candidates for occluders, each asked to darken what it can. */
-static void cast_shadows(fc_scan *scan, const fc_planar *planar) {
+static void cast_shadows(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners) {
   fc_space space = fc_space_of_frame(scan->frame);
   caster c;
+  fc_reach reach;
   c.scan = scan;
   c.planar = planar;
-  (void)fc_space_search(&space, NULL, cast_one, &c);
+  reach.from = scan->frame->lights;
+  reach.to = hull;
+  reach.corners = corners;
+  reach.radius = 0;
+  reach.limited = false;
+  (void)fc_space_search(&space, corners > 0 ? &reach : NULL, cast_one, &c);
 }
 
 /* What cosines need of a row: W.W / 2^30 and its differences, and the numerator. */
@@ -268,7 +274,7 @@ static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
   }
 }
 
-void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k) {
+void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
   fc_planar planar;
   cosine g;
   uint16_t row;
@@ -292,6 +298,6 @@ void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k) {
   }
   if (!any || !faces) return;
   set_forms(scan, &planar, &g);
-  cast_shadows(scan, &planar);
+  cast_shadows(scan, &planar, hull, corners);
   shade(scan, &planar, &g);
 }

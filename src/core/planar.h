@@ -25,8 +25,9 @@ struct fc_planar {
   fc_sheaf w;        /* from the light to the points of the tile */
 };
 
-/* Shades the masked pixels of a tile on the plane n.p = k: facing, shadows, cosines. */
-void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k);
+/* Shades the masked pixels of a tile on the plane n.p = k: facing, shadows, cosines. They lie within the hull of `corners`
+ * points, three coordinates each; 0: anywhere. */
+void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners);
 
 /*
  * How a ball lies to a plane n . p = k, given the side of its center (a = k - n.C): clear of it, touching at most; dipping

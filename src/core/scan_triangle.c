@@ -249,7 +249,7 @@ static void finish(fc_brush *brush) {
   fetch(brush);
   fc_scan_tint(scan);
   fc_face_normal(&brush->form, n);
-  fc_planar_light(scan, n, fc_i128_dot(n, brush->form.u.triangle.vertex[0]));
+  fc_planar_light(scan, n, fc_i128_dot(n, brush->form.u.triangle.vertex[0]), brush->form.u.triangle.vertex[0], 3);
 }
 
 /* Starts a tile. */
