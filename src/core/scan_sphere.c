@@ -473,7 +473,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
       uint32_t ps[32], bits;
       uint8_t count = scan->columns - column < 32 ? (uint8_t)(scan->columns - column) : 32;
       at.b = (uint32_t)fc_high_word(b + (INT64_C(1) << 31));
-      b += ball.b_dx * 32;
+      b = fc_to_i64((uint64_t)b + (uint64_t)ball.b_dx * 32); /* past the last column it may wrap */
       bits = draw_word(scan, &ball, &at, &coder, row, column, count, ps);
       if (bits == 0 || !fc_scan_wants_light(scan, row, column, bits)) continue;
       if (!light_set) {
@@ -487,7 +487,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
         fc_scan_shade_slowly(scan, row, column, bits);
     }
     fc_cone_next_row(&ball.cone);
-    ball.b += b_dy;
+    ball.b = fc_to_i64((uint64_t)ball.b + (uint64_t)b_dy);
   }
 }
 
