@@ -82,7 +82,8 @@ typedef struct fc_shapes {
   { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), 0 }
 /* Closed meshes: every edge is shared by two triangles, which run along it in opposite directions, counter-clockwise seen from
  * outside, and no triangle passes through another. Rays meet their front faces only: a back face is hidden from any eye that is
- * outside, and costs next to nothing. An eye inside looks out through them. Shadows are cast by all faces. */
+ * outside, and costs next to nothing. An eye inside looks out through them. With exact shadows a point is taken to be outside too, so
+ * that only faces turned away from a light keep it off: what goes into the mesh has to come out. */
 #define FC_TRIANGLES_CLOSED(vertices, table) \
   { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), 1 }
 

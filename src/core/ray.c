@@ -156,6 +156,7 @@ int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to
   space = fc_space_of_world(&scene);
   segment.point_error = 0;
   segment.point_valid = true;
+  segment.outside = false;
   segment.root = NULL;
   segment.origin = segment.direction = NULL;
   fc_segment_prepare(&segment);

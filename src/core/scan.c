@@ -84,6 +84,7 @@ bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const f
   segment.direction = d;
   segment.point_error = 1;
   segment.point_valid = surface.point_valid;
+  segment.outside = true;
   fc_segment_prepare(&segment);
   return kind->blocked(occluder, &segment);
 }

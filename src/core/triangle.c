@@ -323,7 +323,8 @@ static bool blocked(const fc_form *form, const fc_segment *segment) {
   if (inside == 0) return false;
   fc_face_normal(form, n);
   light = side_of_light(form, segment, n);
-  if (light == 0 || fc_side_of_point(segment, n, fc_i128_dot(n, form->u.triangle.vertex[0])) != -light) return false;
+  if (light == 0 || (form->u.triangle.hidden != 0 && segment->outside && light != form->u.triangle.hidden) ||
+      fc_side_of_point(segment, n, fc_i128_dot(n, form->u.triangle.vertex[0])) != -light) return false;
   return inside == 1 || exact_pierces(form, segment);
 }
 
