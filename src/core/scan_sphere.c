@@ -604,7 +604,7 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   dark = fc_high_word(cone.error) + 1;
   lit = fc_high_word(-cone.error) - 1;
   /* f is quadratic along a row: over 32 columns it exceeds its values at both ends by at most 32^2 / 8 |dxx| */
-  bulge = (int64_t)fc_abs64(cone.dxx) << 7;
+  bulge = fc_abs64(cone.dxx) >> 54 != 0 ? INT64_C(1) << 61 : (int64_t)fc_abs64(cone.dxx) << 7; /* the first: narrow tiles only */
   for (row = 0; row < scan->rows; row++) {
     uint64_t f = (uint64_t)cone.f, dx = (uint64_t)cone.dx;
     bool doubted = scan->y + row >= doubt.y0 && scan->y + row <= doubt.y1;
