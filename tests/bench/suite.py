@@ -2,8 +2,8 @@
 
 suite.py [--work DIR] [--simulator FILE] [--only WORD...]
 
-Prints a table and writes DIR/bench.json. What takes more instructions than the limit is null there. Any wrong picture
-or failed build makes the exit code 1.
+Prints a table and writes DIR/bench.json. What takes more instructions than the limit is null there. A failed build, a
+picture unlike the host's, or one by the exact profile that is not exact makes the exit code 1.
 """
 import argparse
 import collections
@@ -93,6 +93,8 @@ class Suite:
         """The Host of an image, or None where something failed."""
         try:
             errors = accuracy.measure(self.workshop, image)
+            if RENDERERS[image.renderer].core and PROFILES[image.profile] == "exact" and not accuracy.exact(errors):
+                self.fail(image, f"not exact: {errors}")
             program, _, _ = self.workshop.build(image)
             return Host(counting.run_on_host(program).get("crc"), errors, seconds_of(program))
         except Failure as failure:
