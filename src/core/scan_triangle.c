@@ -346,7 +346,7 @@ static void draw_exactly(fc_brush *brush, const fc_tile *seen) {
 /* A corner's coordinate; up 2^exponent that fits, as the mesh has made sure. */
 static int32_t place(int32_t a, int8_t up, uint32_t mantissa) {
   a = up >= 0 ? a * (INT32_C(1) << up) : fc_floor_shift32(a, up < -31 ? 31 : (uint8_t)-up);
-  return fc_smulhi(a, mantissa);
+  return fc_smulhi32(a, mantissa);
 }
 
 static void bounds(const int32_t at[3], uint8_t fraction, uint16_t size, int32_t *low, int32_t *high) {
