@@ -22,7 +22,8 @@ typedef enum fc_error {
   FC_ERR_LIGHT = -12,        /* a light is more than 2^32 times as far away as the scene is large */
   FC_ERR_MEMORY = -13,       /* the memory handed over is too small or not aligned for int64_t */
   FC_ERR_FORMAT = -14,       /* unknown pixel format, field-of-view rule or shadow rule */
-  FC_ERR_DIRECTION = -15     /* a ray's direction is zero */
+  FC_ERR_DIRECTION = -15,    /* a ray's direction is zero */
+  FC_ERR_BVH = -16           /* a bounding volume hierarchy that was not made for this scene, or is damaged */
 } fc_error;
 
 /* A sentence for an error code, never NULL; the text is constant and lives as long as the program. */

@@ -11,6 +11,7 @@
 #ifndef FIXCAST_H
 #define FIXCAST_H
 
+#include "fixcast/bvh.h"
 #include "fixcast/camera.h"
 #include "fixcast/config.h"
 #include "fixcast/error.h"

@@ -82,7 +82,8 @@ typedef struct fc_shapes {
   { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), 0 }
 /* Closed meshes: every edge is shared by two triangles, which run along it in opposite directions, counter-clockwise seen from
  * outside, and no triangle passes through another. Rays meet their front faces only: a back face is hidden from any eye that is
- * outside, and costs next to nothing. An eye inside looks out through them. Shadows are cast by all faces. */
+ * outside, and costs next to nothing. An eye inside looks out through them. With exact shadows a point is taken to be outside too, so
+ * that only faces turned away from a light keep it off: what goes into the mesh has to come out. */
 #define FC_TRIANGLES_CLOSED(vertices, table) \
   { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), 1 }
 
@@ -111,6 +112,7 @@ typedef struct fc_scene {
   int32_t far_limit;   /* surfaces farther along the ray than far_limit * 2^far_exponent world coordinates
                         * are background; 0: no limit; 1..FC_COORDINATE_MAX otherwise */
   fc_rgb ambient, background;
+  const struct fc_bvh *bvh; /* a bounding volume hierarchy of just these shapes (bvh.h), or NULL */
 } fc_scene;
 
 /* Checks every table against its documented ranges: FC_OK or an error. Frames are set up from checked scenes only;

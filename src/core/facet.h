@@ -46,4 +46,7 @@ bool fc_facet_depth(fc_facet *facet, const fc_frame *frame, const fc_placed_mesh
 /* Both from the prepared form: no vertex need be in front of the eye. False when the triangle is seen edge-on. */
 bool fc_facet_exact(fc_facet *facet, const fc_frame *frame, const fc_prepared *prepared, const fc_tile *tile);
 
+/* Cuts *first .. *last to the columns below `columns` where a form at + dx column is at least `bound`, by bisection. */
+void fc_facet_cut(int32_t at, int32_t dx, int32_t bound, uint16_t columns, int32_t *first, int32_t *last);
+
 #endif

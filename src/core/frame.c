@@ -18,10 +18,8 @@ struct aligned_i64 {
 static bool aligned(const void *memory) { return (uintptr_t)memory % offsetof(struct aligned_i64, value) == 0; }
 
 static size_t memory_of(const fc_scene *scene) {
-  fc_space space;
+  fc_space space = fc_space_of_world(scene);
   fc_cursor cursor;
-  space.scene = scene;
-  space.memory = NULL;
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) {
   }
@@ -40,11 +38,9 @@ size_t fc_frame_memory(const fc_scene *scene_rom, int *error) {
 /* The finest grid on which the farthest finite geometry has coordinates below 2^30 - 16. */
 static void choose_grid(fc_frame *frame) {
   fc_num most = fc_num_from_u64(1, 0);
-  fc_space space;
+  fc_space space = fc_space_of_world(&frame->scene);
   fc_cursor cursor;
   int32_t shift;
-  space.scene = &frame->scene;
-  space.memory = NULL;
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) {
     fc_num extent = fc_kind_of(&cursor)->extent(&frame->view, &cursor.group.shapes);
@@ -57,10 +53,8 @@ static void choose_grid(fc_frame *frame) {
 }
 
 static void place_shapes(const fc_frame *frame, unsigned char *memory) {
-  fc_space space;
+  fc_space space = fc_space_of_world(&frame->scene);
   fc_cursor cursor;
-  space.scene = &frame->scene;
-  space.memory = NULL;
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) fc_kind_of(&cursor)->place(&frame->view, &cursor.group.shapes, memory + cursor.bytes);
 }
@@ -77,10 +71,8 @@ static int place_lights(const fc_frame *frame, int64_t *to) {
 
 static void measure_depth(fc_frame *frame) {
   uint64_t near = UINT64_MAX, far = 0;
-  fc_space space;
+  fc_space space = fc_space_of_frame(frame);
   fc_cursor cursor;
-  space.scene = &frame->scene;
-  space.memory = frame->memory;
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) fc_kind_of(&cursor)->depth_range(frame, &cursor.group, &near, &far);
   if (far == 0) near = far = 1; /* nothing to see */
@@ -138,10 +130,8 @@ static void set_light(fc_frame *frame) {
 
 /* What the kinds keep for the scan engine. */
 static void project_shapes(const fc_frame *frame) {
-  fc_space space;
+  fc_space space = fc_space_of_world(&frame->scene);
   fc_cursor cursor;
-  space.scene = &frame->scene;
-  space.memory = NULL;
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor))
     fc_kind_of(&cursor)->project(frame, &cursor.group.shapes, (unsigned char *)frame->memory + cursor.bytes);

@@ -119,6 +119,8 @@ struct fc_kind {
                   int64_t radius, fc_window *window);
   /* Draws the items of a table (scan->at) that touch a strip of some rows. */
   void (*strip)(fc_scan *scan, uint16_t rows);
+  /* The smallest box around the form; NULL for infinite ones. */
+  void (*bounds)(const fc_form *form, int64_t low[3], int64_t high[3]);
 };
 
 #endif

@@ -19,7 +19,7 @@ uint32_t fc_recip_q63(uint32_t m) {
   rest = (UINT64_C(1) << 47) - fc_mul32(m, r);
   quarter = fc_to_i32((uint32_t)(rest >> 2));
   /* r 2^16 + r rest / 2^31 = r 2^16 + quarter (r 2^14) / 2^32 * 2^17 / 2^14 ... in units of 2^12 after the product */
-  rest_high = (uint32_t)fc_floor_shift32(fc_smulhi(quarter, r << 15), 12);
+  rest_high = (uint32_t)fc_floor_shift32(fc_smulhi32(quarter, r << 15), 12);
   if (r >> 16) { /* 2^16: 2^32 less what the rest takes off */
     return fc_to_i32(rest_high) < 0 ? rest_high : UINT32_MAX;
   }
@@ -83,7 +83,7 @@ static bool on_screen(const fc_placed_mesh *mesh, int32_t a, uint32_t seen, int3
   } else {
     a = fc_floor_shift32(a, up < -31 ? 31 : (uint8_t)-up);
   }
-  *at = fc_smulhi(a, fc_seen_mantissa(seen));
+  *at = fc_smulhi32(a, fc_seen_mantissa(seen));
   return fc_abs32(*at) < UINT32_C(1) << 30;
 }
 

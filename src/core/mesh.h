@@ -69,12 +69,6 @@ static inline uint8_t fc_mesh_level(uint8_t level) { return (uint8_t)(64 - (64 >
 static inline uint32_t fc_seen_mantissa(uint32_t seen) { return UINT32_C(1) << 31 | (seen & ~UINT32_C(31)) >> 1; }
 static inline uint8_t fc_seen_exponent(uint32_t seen) { return (uint8_t)(seen & 31); }
 
-/* floor(a b / 2^32). */
-static inline int32_t fc_smulhi(int32_t a, uint32_t b) {
-  uint32_t high = fc_mulhi32((uint32_t)a, b);
-  return fc_to_i32(a < 0 ? high - b : high);
-}
-
 /* 2^63 / m for m in 2^31 .. 2^32-1, relative error below 2^-28.5, at most 2^32 - 1. */
 uint32_t fc_recip_q63(uint32_t m);
 

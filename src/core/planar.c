@@ -2,6 +2,7 @@
 #include "planar.h"
 
 #include "bits.h"
+#include "search.h"
 #include "tally.h"
 
 /* The cosine's numerator (k - n.L) (n.D) / |n| in the unit of W: affine too. */
@@ -144,22 +145,33 @@ void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder) 
     }
 }
 
+typedef struct caster {
+  fc_scan *scan;
+  const fc_planar *planar;
+} caster;
+
+static bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
+  const caster *c = context;
+  fc_form form;
+  if ((uint16_t)(at->group.first + index) == c->scan->primitive) return false;
+  fc_kind_of(at)->fetch(&at->group, index, &form);
+  fc_kind_of(at)->shadow(c->scan, c->planar, fc_kind_of(at), &form);
+  return false;
+}
+
 /* Candidates for occluders, each asked to darken what it can. */
-static void cast_shadows(fc_scan *scan, const fc_planar *planar) {
-  fc_space space;
-  fc_cursor cursor;
-  space.scene = &scan->frame->scene;
-  space.memory = scan->frame->memory;
-  fc_cursor_start(&cursor, &space);
-  while (fc_cursor_next(&cursor)) {
-    uint16_t i;
-    for (i = 0; i < cursor.group.shapes.count; i++) {
-      fc_form form;
-      if ((uint16_t)(cursor.group.first + i) == scan->primitive) continue;
-      fc_kind_of(&cursor)->fetch(&cursor.group, i, &form);
-      fc_kind_of(&cursor)->shadow(scan, planar, fc_kind_of(&cursor), &form);
-    }
-  }
+static void cast_shadows(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners) {
+  fc_space space = fc_space_of_frame(scan->frame);
+  caster c;
+  fc_reach reach;
+  c.scan = scan;
+  c.planar = planar;
+  reach.from = scan->frame->lights;
+  reach.to = hull;
+  reach.corners = corners;
+  reach.radius = 0;
+  reach.limited = false;
+  (void)fc_space_search(&space, corners > 0 ? &reach : NULL, cast_one, &c);
 }
 
 /* What cosines need of a row: W.W / 2^30 and its differences, and the numerator. */
@@ -297,30 +309,27 @@ static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
 }
 
 /* The plane turned to the eye, and cut to 30 bits. */
-static void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t normal[3], fc_i128 k, const int64_t point[3]) {
+static void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t normal[3], fc_i128 k, const int64_t *point) {
   uint8_t bits = fc_vector_bits(normal), cut = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
   bool away = fc_i128_sign(k) < 0;
+  planar->exact_k = away ? fc_i128_neg(k) : k;
   for (i = 0; i < 3; i++) {
-    int64_t n = fc_floor_shift64(normal[i], cut);
-    planar->normal[i] = away ? -n : n;
+    planar->exact[i] = away ? -normal[i] : normal[i];
+    planar->normal[i] = fc_floor_shift64(planar->exact[i], cut);
   }
-  if (cut == 0)
-    planar->k = fc_i128_to_i64(away ? fc_i128_neg(k) : k);
-  else
-    planar->k = fc_small_dot(planar->normal, point);
+  planar->k = cut == 0 ? fc_i128_to_i64(planar->exact_k) : fc_small_dot(planar->normal, point);
   /* an axis of the normal is off by up to 1, of p - point by up to 2^31 */
   planar->slack = cut == 0 ? 0 : INT64_C(3) << 31;
   planar->height = planar->k - fc_small_dot(planar->normal, scan->frame->lights);
 }
 
-/* Whether the light is on the eye's side, exactly. */
-static bool faces(const fc_scan *scan, const fc_planar *planar, const int64_t normal[3], fc_i128 k) {
-  if ((int64_t)fc_abs64(planar->height) > planar->slack || planar->slack == 0) return planar->height > 0;
-  /* 63 + 30 bits */
-  return fc_i128_sign(fc_i128_sub(k, fc_i128_dot(normal, scan->frame->lights))) * fc_i128_sign(k) > 0;
+int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]) {
+  int64_t side = planar->k - fc_small_dot(planar->normal, p);
+  if (planar->slack == 0 || (int64_t)fc_abs64(side) > planar->slack) return fc_sign64(side);
+  return fc_i128_sign(fc_i128_sub(planar->exact_k, fc_i128_dot(planar->exact, p))); /* 63 + 30 bits */
 }
 
-void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t point[3]) {
+void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
   fc_planar planar;
   cosine g = {0, 0, 0};
   uint16_t row;
@@ -332,8 +341,8 @@ void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const in
       if (*bits == 0) continue;
       if (!fc_scan_wants_light(scan, row, (uint16_t)(32 * word), *bits)) continue;
       if (!known) {
-        set_plane(scan, &planar, normal, k, point);
-        lit = faces(scan, &planar, normal, k);
+        set_plane(scan, &planar, normal, k, hull);
+        lit = fc_planar_side(&planar, scan->frame->lights) > 0;
         /* the eye, or W, too close to the plane for the forms */
         slow = lit && (planar.k <= planar.slack || !set_forms(scan, &planar, &g));
         known = true;
@@ -347,6 +356,6 @@ void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const in
     }
   }
   if (!any) return;
-  cast_shadows(scan, &planar);
+  cast_shadows(scan, &planar, hull, corners);
   shade(scan, &planar, &g);
 }

@@ -20,14 +20,18 @@ struct fc_planar {
   int32_t unit[3];   /* the same, Q30, within 2^-25 */
   int64_t k;         /* > 0, below 2^62 */
   int64_t height;    /* k - n.L: > 0 when the light is on the eye's side */
-  int64_t slack;     /* sides of the plane, k - n.p, are within this of what the exact normal says, in units of its cut; 0:
-                      * the normal is exact */
+  int64_t slack;     /* k - n.p is within this of what the exact normal says, in units of its cut; 0: the normal is exact */
+  int64_t exact[3];  /* before the cut: below 2^63 */
+  fc_i128 exact_k;
   fc_sheaf w;        /* from the light to the points of the tile */
 };
 
-/* Shades the masked pixels of a tile on the plane n.p = k: facing, shadows, cosines. |n| below 2^63. `point`: a whole point
- * of the plane, needed when |n| is not below 2^30. */
-void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t point[3]);
+/* Shades the masked pixels of a tile on the plane n.p = k: facing, shadows, cosines. |n| below 2^63. They lie within the hull
+ * of `corners` points of the plane, three coordinates each; 0: anywhere, for |n| below 2^30 only. */
+void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners);
+
+/* The sign of k - n.p, exact: 1 on the eye's side. */
+int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]);
 
 /*
  * How a ball lies to a plane n . p = k, given the side of its center (a = |k - n.C|): clear of it, touching at most; dipping

@@ -39,12 +39,12 @@ static inline uint64_t fc_mul32(uint32_t a, uint32_t b) {
 
 static inline int64_t fc_smul32(int32_t a, int32_t b) {
 #ifdef FC_SHORT_MULTIPLIER
-  /* two's complement: the unsigned product, less 2^32 times the other factor for each negative one */
-  uint64_t p = fc_mul32((uint32_t)a, (uint32_t)b);
-  uint32_t high = (uint32_t)(p >> 32);
-  if (a < 0) high -= (uint32_t)b;
-  if (b < 0) high -= (uint32_t)a;
-  return fc_to_i64(((uint64_t)high << 32) | (uint32_t)p);
+  /* halves, the upper ones signed: |high low| < 2^31, and a carry below 2^16 still fits */
+  int32_t a1 = fc_floor_shift32(a, 16), b1 = fc_floor_shift32(b, 16);
+  uint32_t a0 = (uint32_t)a & 0xffffu, b0 = (uint32_t)b & 0xffffu, low = a0 * b0;
+  int32_t m = a1 * (int32_t)b0 + (int32_t)(low >> 16), n = (int32_t)a0 * b1 + (int32_t)((uint32_t)m & 0xffffu);
+  int32_t high = a1 * b1 + fc_floor_shift32(m, 16) + fc_floor_shift32(n, 16);
+  return fc_to_i64(((uint64_t)(uint32_t)high << 32) | (((uint32_t)n << 16) | (low & 0xffffu)));
 #else
   return (int64_t)a * b;
 #endif
@@ -59,6 +59,19 @@ static inline uint32_t fc_mulhi32(uint32_t a, uint32_t b) {
   return a1 * b1 + (m >> 16) + (n >> 16);
 #else
   return (uint32_t)(((uint64_t)a * b) >> 32);
+#endif
+}
+
+static inline int32_t fc_smulhi32(int32_t a, uint32_t b) {
+#ifdef FC_SHORT_MULTIPLIER
+  int32_t a1 = fc_floor_shift32(a, 16), b0 = (int32_t)(b & 0xffffu);
+  uint32_t a0 = (uint32_t)a & 0xffffu, b1 = b >> 16;
+  /* a1 b1 fits, a0 b1 does not when signed: the upper words are summed as unsigned */
+  int32_t m = a1 * b0 + (int32_t)((a0 * (uint32_t)b0) >> 16);
+  uint32_t n = a0 * b1 + ((uint32_t)m & 0xffffu);
+  return a1 * (int32_t)b1 + fc_floor_shift32(m, 16) + (int32_t)(n >> 16);
+#else
+  return fc_to_i32((uint32_t)(uint64_t)fc_floor_shift64((int64_t)a * b, 32));
 #endif
 }
 

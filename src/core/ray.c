@@ -3,6 +3,7 @@
 
 #include "bits.h"
 #include "fixcast/error.h"
+#include "search.h"
 #include "shade.h"
 #include "space.h"
 #include "view.h"
@@ -41,33 +42,62 @@ static bool first_within(const fc_root root[2], uint8_t count, uint64_t t_min_q3
   return false;
 }
 
+/* The nearest primitive so far. */
+typedef struct nearest_test {
+  const int64_t *origin, *direction;
+  uint64_t t_min_q32, t_max_q32;
+  fc_reach *reach; /* NULL: nobody wants to know how far it is */
+  fc_root best;
+  uint16_t found;
+  bool bounded;
+} nearest_test;
+
+static bool nearer(void *context, const fc_cursor *at, uint16_t index) {
+  nearest_test *test = context;
+  uint16_t primitive = (uint16_t)(at->group.first + index);
+  fc_form form;
+  fc_prepared prepared;
+  fc_root root[2], first;
+  uint8_t count;
+  fc_kind_of(at)->fetch(&at->group, index, &form);
+  fc_kind_of(at)->prepare(&form, test->origin, &prepared);
+  count = fc_kind_of(at)->test(&prepared, test->direction, root);
+  if (count == 0) return false;
+  first = root[0];
+  if (test->bounded && !first_within(root, count, test->t_min_q32, test->t_max_q32, &first)) return false;
+  if (test->found != NO_PRIMITIVE) {
+    int8_t order = fc_root_compare(&first, &test->best);
+    if (order > 0 || (order == 0 && primitive > test->found)) return false;
+  }
+  test->best = first;
+  test->found = primitive;
+  if (test->reach != NULL) {
+    test->reach->limit = fc_root_value(&first);
+    test->reach->limited = true;
+  }
+  return false;
+}
+
 uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const int64_t direction[3], uint64_t t_min_q32,
                           uint64_t t_max_q32, fc_root *nearest) {
-  uint16_t found = NO_PRIMITIVE;
-  fc_root best;
-  fc_cursor cursor;
-  bool bounded = nearest != NULL;
-  fc_cursor_start(&cursor, space);
-  while (fc_cursor_next(&cursor)) {
-    uint16_t i;
-    for (i = 0; i < cursor.group.shapes.count; i++) {
-      fc_form form;
-      fc_prepared prepared;
-      fc_root root[2], first;
-      uint8_t count;
-      fc_kind_of(&cursor)->fetch(&cursor.group, i, &form);
-      fc_kind_of(&cursor)->prepare(&form, origin, &prepared);
-      count = fc_kind_of(&cursor)->test(&prepared, direction, root);
-      if (count == 0) continue;
-      first = root[0];
-      if (bounded && !first_within(root, count, t_min_q32, t_max_q32, &first)) continue;
-      if (found != NO_PRIMITIVE && fc_root_compare(&first, &best) >= 0) continue;
-      best = first;
-      found = (uint16_t)(cursor.group.first + i);
-    }
-  }
-  if (found != NO_PRIMITIVE && nearest != NULL) *nearest = best;
-  return found;
+  nearest_test test;
+  fc_reach reach;
+  test.origin = origin;
+  test.direction = direction;
+  test.t_min_q32 = t_min_q32;
+  test.t_max_q32 = t_max_q32;
+  test.reach = space->scene->bvh == NULL ? NULL : &reach;
+  test.found = NO_PRIMITIVE;
+  test.bounded = nearest != NULL;
+  reach.from = origin;
+  reach.to = direction;
+  reach.corners = 0;
+  reach.radius = 0;
+  reach.limited = test.bounded && t_max_q32 != UINT64_MAX;
+  if (reach.limited) reach.limit = fc_num_from_u64(t_max_q32, -32);
+  (void)fc_space_search(space, &reach, nearer, &test);
+  if (test.found != NO_PRIMITIVE && nearest != NULL) *nearest = test.best;
+  return test.found;
 }
 
 void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
@@ -106,8 +136,7 @@ int fc_intersect(const fc_scene *scene_rom, const fc_ray *ray, fc_hit *hit) {
   if (!load(&ray->origin, origin) || !load(&ray->direction, direction)) return FC_ERR_COORDINATE;
   if ((direction[0] | direction[1] | direction[2]) == 0) return FC_ERR_DIRECTION;
   FC_READ(&scene, scene_rom, sizeof scene);
-  space.scene = &scene;
-  space.memory = NULL;
+  space = fc_space_of_world(&scene);
   nearest = fc_space_nearest(&space, origin, direction, ray->t_min_q32, ray->t_max_q32, &root);
   if (nearest == NO_PRIMITIVE) return 0;
   (void)fc_surface_meet(&surface, &space, nearest, origin, direction);
@@ -124,10 +153,10 @@ int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to
   if (scene_rom == NULL || from == NULL || to == NULL) return FC_ERR_NULL;
   if (!load(from, segment.point) || !load(to, segment.light)) return FC_ERR_COORDINATE;
   FC_READ(&scene, scene_rom, sizeof scene);
-  space.scene = &scene;
-  space.memory = NULL;
+  space = fc_space_of_world(&scene);
   segment.point_error = 0;
   segment.point_valid = true;
+  segment.outside = false;
   segment.root = NULL;
   segment.origin = segment.direction = NULL;
   fc_segment_prepare(&segment);
@@ -144,8 +173,7 @@ int fc_offset(const fc_scene *scene_rom, const fc_hit *hit, int rule, int32_t ep
   if (rule < FC_OFFSET_EXACT || rule > FC_OFFSET_NONE) return FC_ERR_FORMAT;
   if (epsilon < 0 || epsilon > FC_COORDINATE_MAX || !load(&hit->position, surface.point)) return FC_ERR_COORDINATE;
   FC_READ(&scene, scene_rom, sizeof scene);
-  space.scene = &scene;
-  space.memory = NULL;
+  space = fc_space_of_world(&scene);
   if (!fc_cursor_find(&surface.at, &space, hit->primitive, &index)) return FC_ERR_INDEX;
   fc_kind_of(&surface.at)->fetch(&surface.at.group, index, &surface.form);
   surface.inside = hit->inside;

@@ -14,13 +14,6 @@
 
 static const int64_t eye[3] = {0, 0, 0}; /* camera space */
 
-static fc_space space_of(const fc_frame *frame) {
-  fc_space space;
-  space.scene = &frame->scene;
-  space.memory = frame->memory;
-  return space;
-}
-
 /* Shades one pixel; returns its primitive. */
 static uint16_t resolve(const fc_frame *frame, const fc_space *space, uint16_t px, uint16_t py, const uint8_t most[3],
                         uint8_t level[3], uint16_t *depth, uint32_t *lit) {
@@ -46,7 +39,7 @@ int fc_render_rows_by_rays(const fc_frame *frame, uint16_t y, uint16_t rows, con
   uint8_t most[3], background[4];
   int pixel_bytes = fc_render_check(frame, y, rows, target);
   if (pixel_bytes < 0) return pixel_bytes;
-  space = space_of(frame);
+  space = fc_space_of_frame(frame);
   fc_pixel_most(target->format, most);
   fc_pixel_background(&frame->scene, target->format, background);
   for (py = 0; py < rows; py++) {
@@ -94,7 +87,7 @@ int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t
   uint16_t nearest;
   if (frame == NULL || hit == NULL) return FC_ERR_NULL;
   if (x >= frame->width || y >= frame->height) return FC_ERR_SIZE;
-  space = space_of(frame);
+  space = fc_space_of_frame(frame);
   fc_view_direction(frame, x, y, d);
   nearest = fc_space_nearest(&space, eye, d, 0, UINT64_MAX, NULL);
   if (lit != NULL) *lit = 0;
@@ -116,7 +109,7 @@ int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t
 }
 
 uint16_t fc_object(const fc_frame *frame, uint16_t primitive) {
-  fc_space space = space_of(frame);
+  fc_space space = fc_space_of_frame(frame);
   fc_cursor cursor;
   fc_form form;
   uint16_t index;

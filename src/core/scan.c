@@ -11,13 +11,6 @@
 
 static const int64_t eye[3] = {0, 0, 0}; /* camera space */
 
-static fc_space space_of(const fc_frame *frame) {
-  fc_space space;
-  space.scene = &frame->scene;
-  space.memory = frame->memory;
-  return space;
-}
-
 /* ---- one pixel, by the ray engine ---- */
 
 /* Meets the primitive with the pixel's ray. */
@@ -41,7 +34,7 @@ bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
   if (code < *depth) return false;
   if (code == *depth) {
     /* whatever is drawn there, or will be: the pixel goes to the nearest of all */
-    fc_space space = space_of(scan->frame);
+    fc_space space = fc_space_of_frame(scan->frame);
     if (fc_space_nearest(&space, eye, d, 0, UINT64_MAX, NULL) != scan->primitive) return false;
   }
   *depth = code;
@@ -67,7 +60,7 @@ static void surface_at(const fc_scan *scan, uint16_t row, uint16_t column, int64
 }
 
 bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column) {
-  fc_space space = space_of(scan->frame);
+  fc_space space = fc_space_of_frame(scan->frame);
   fc_surface surface;
   int64_t d[3];
   FC_TALLY(FC_DECIDE_LIT, true);
@@ -91,6 +84,7 @@ bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const f
   segment.direction = d;
   segment.point_error = 1;
   segment.point_valid = surface.point_valid;
+  segment.outside = true;
   fc_segment_prepare(&segment);
   return kind->blocked(occluder, &segment);
 }
@@ -278,7 +272,7 @@ void fc_scan_lit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bi
 
 void fc_scan_shade_slowly(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
   size_t at = (size_t)(scan->y - scan->strip + row) * scan->frame->width + scan->x + column;
-  fc_space space = space_of(scan->frame);
+  fc_space space = fc_space_of_frame(scan->frame);
   for (; bits != 0; bits >>= 1, column++, at++) {
     fc_surface surface;
     int64_t d[3];
@@ -465,7 +459,7 @@ int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_ta
   fc_scan scan;
   int pixel_bytes = fc_render_check(frame, y, rows, target);
   if (pixel_bytes < 0) return pixel_bytes;
-  space = space_of(frame);
+  space = fc_space_of_frame(frame);
   scan.frame = frame;
   scan.target = target;
   scan.at = &cursor;

@@ -21,7 +21,7 @@ void fc_plane_draw(fc_scan *scan) {
     for (row = 0; row <= scan->last_row; row++, v += dy)
       if (row >= scan->first_row) fc_scan_affine(scan, row, 0, (uint16_t)(scan->columns - 1), v, dx, placed->gain, 3);
   }
-  fc_planar_light(scan, n, fc_i128_from(scan->form->u.plane.k), NULL);
+  fc_planar_light(scan, n, fc_i128_from(scan->form->u.plane.k), NULL, 0);
 }
 
 void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {

@@ -2,6 +2,7 @@
 #include "cone.h"
 #include "planar.h"
 #include "scan_kinds.h"
+#include "search.h"
 
 /* ---- set-up, once a frame ---- */
 
@@ -80,33 +81,46 @@ typedef struct ball_light {
 enum { LIGHT_AWAY, LIGHT_FORMS, LIGHT_SLOW };
 #define MANY 255
 
-static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
-  fc_space space;
-  fc_cursor cursor;
-  space.scene = &scan->frame->scene;
-  space.memory = scan->frame->memory;
-  light->occluders = 0;
-  fc_cursor_start(&cursor, &space);
-  while (fc_cursor_next(&cursor)) {
-    uint16_t i;
-    for (i = 0; i < cursor.group.shapes.count; i++) {
-      fc_form form;
-      fc_window box;
-      uint16_t primitive = (uint16_t)(cursor.group.first + i);
-      if (primitive == scan->primitive) continue;
-      fc_kind_of(&cursor)->fetch(&cursor.group, i, &form);
-      if (!fc_kind_of(&cursor)->between(scan->frame, &form, scan->frame->lights, scan->form->u.sphere.center,
+typedef struct occluder_list {
+  const fc_scan *scan;
+  ball_light *light;
+} occluder_list;
+
+static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
+  const occluder_list *list = context;
+  const fc_scan *scan = list->scan;
+  ball_light *light = list->light;
+  fc_form form;
+  fc_window box;
+  uint16_t primitive = (uint16_t)(at->group.first + index);
+  if (primitive == scan->primitive) return false;
+  fc_kind_of(at)->fetch(&at->group, index, &form);
+  if (!fc_kind_of(at)->between(scan->frame, &form, scan->frame->lights, scan->form->u.sphere.center,
                                scan->form->u.sphere.radius, &box))
-        continue;
-      if (light->occluders == FC_COUNT_OF(light->occluder)) {
-        light->occluders = MANY;
-        return;
-      }
-      light->occluder[light->occluders].primitive = primitive;
-      set_window(scan->frame, &box, &light->occluder[light->occluders].window);
-      light->occluders++;
-    }
+    return false;
+  if (light->occluders == FC_COUNT_OF(light->occluder)) {
+    light->occluders = MANY;
+    return true;
   }
+  light->occluder[light->occluders].primitive = primitive;
+  set_window(scan->frame, &box, &light->occluder[light->occluders].window);
+  light->occluders++;
+  return false;
+}
+
+static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
+  fc_space space = fc_space_of_frame(scan->frame);
+  fc_reach reach;
+  occluder_list list;
+  list.scan = scan;
+  list.light = light;
+  light->occluders = 0;
+  reach.from = scan->frame->lights;
+  reach.to = scan->form->u.sphere.center;
+  reach.corners = 1;
+  reach.radius = scan->form->u.sphere.radius;
+  reach.limited = false;
+  (void)fc_space_search(&space, &reach, add_occluder, &list);
 }
 
 static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop) {
@@ -158,13 +172,11 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
 
 /* Whether an occluder in the list keeps the light away. */
 static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column) {
-  fc_space space;
+  fc_space space = fc_space_of_frame(scan->frame);
   fc_cursor cursor;
   uint8_t i;
   uint16_t index;
   if (light->occluders == MANY) return !fc_scan_reached(scan, row, column);
-  space.scene = &scan->frame->scene;
-  space.memory = scan->frame->memory;
   for (i = 0; i < light->occluders; i++) {
     fc_form form;
     const fc_placed_window *window = &light->occluder[i].window;
@@ -200,7 +212,8 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
     int32_t e;
     uint16_t down;
     if (!(bits & 1)) continue;
-    if (v == 0) { /* shown by the ray engine */
+    if (v < UINT32_C(1) << 15) { /* too far for 16 bits of it, or 0: the ray engine has told the depth */
+      *p = 0;
       open |= bit;
       continue;
     }
@@ -503,7 +516,8 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   set_ball(scan, placed, &ball, &b_dy);
   ball.clip = placed->beyond;
   fc_coder_start(&coder, scan->frame, ball.drop, UINT32_C(1) << 29);
-  for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(&ball.cone), ball.b += b_dy) {
+  for (row = 0; row <= scan->last_row;
+       row++, fc_cone_next_row(&ball.cone), ball.b = fc_to_i64((uint64_t)ball.b + (uint64_t)b_dy)) {
     sphere_row at;
     int64_t b;
     uint16_t column;
@@ -515,7 +529,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
       uint32_t ps[32], bits;
       uint8_t count = scan->columns - column < 32 ? (uint8_t)(scan->columns - column) : 32;
       at.b = (uint32_t)fc_high_word(b + (INT64_C(1) << 31));
-      b += ball.b_dx * 32;
+      b = fc_to_i64((uint64_t)b + (uint64_t)ball.b_dx * 32); /* past the last column it may wrap */
       bits = draw_word(scan, &ball, &at, &coder, row, column, count, ps);
       if (bits == 0 || !fc_scan_wants_light(scan, row, column, bits)) continue;
       if (!light_set) {
@@ -661,6 +675,7 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   uint8_t i;
   int8_t everywhere;
   int64_t bulge;
+  bool wide;
   shadow_test clear;
   for (i = 0; i < 3; i++) center[i] = c[i] - scan->frame->lights[i]; /* below 2^31 */
   if (fc_i128_compare(fc_i128_dot(center, center), fc_i128_mul(radius, radius)) <= 0) {
@@ -677,8 +692,10 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   clear.doubt = doubt;
   clear.kind = kind;
   clear.form = form;
-  /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx| */
-  bulge = (int64_t)fc_abs64(cone.dxx);
+  /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|. In narrow tiles
+   * dxx may be huge, and such chords are not asked for. */
+  bulge = fc_abs64(cone.dxx) >> 54 != 0 ? INT64_C(1) << 54 : (int64_t)fc_abs64(cone.dxx);
+  wide = scan->columns >= 32;
   for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(&cone)) {
     uint64_t f = (uint64_t)cone.f, dx = (uint64_t)cone.dx;
     const uint64_t dxx = (uint64_t)cone.dxx;
@@ -690,7 +707,7 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
       uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
       /* 32 columns on: f + 32 dx + 496 dxx */
       uint64_t f_next = f + (dx << 5) + (dxx << 9) - (dxx << 4), dx_next = dx + (dxx << 5);
-      if (bits != 0 && (scan->columns < 32 || fc_to_i64(f) >= clear.lit - (bulge << 7) || fc_to_i64(f_next) >= clear.lit - (bulge << 7))) {
+      if (bits != 0 && (!wide || fc_to_i64(f) >= clear.lit - (bulge << 7) || fc_to_i64(f_next) >= clear.lit - (bulge << 7))) {
         uint8_t k;
         for (k = 0; bits != 0; k = (uint8_t)(k + 8), bits >>= 8) {
           /* 8 on: f + 8 dx + 28 dxx */
@@ -698,8 +715,8 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
           uint32_t some = bits & 0xffu;
           if (some != 0) {
             int64_t low = fc_to_i64(f) < fc_to_i64(f8) ? fc_to_i64(f) : fc_to_i64(f8), high = fc_to_i64(f) < fc_to_i64(f8) ? fc_to_i64(f8) : fc_to_i64(f);
-            if (high >= clear.lit - (bulge << 3)) {
-              if (low > clear.dark + (bulge << 3) && everywhere > 0 && !clear.doubted)
+            if (!wide || high >= clear.lit - (bulge << 3)) {
+              if (wide && low > clear.dark + (bulge << 3) && everywhere > 0 && !clear.doubted)
                 darkened |= some << k;
               else
                 darkened |= shade_some(scan, &clear, row, (uint16_t)(column + k), some, f, dx, dxx) << k;

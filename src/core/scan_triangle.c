@@ -213,26 +213,6 @@ static void walk_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
   }
 }
 
-/* Cuts *first .. *last to the columns where a form is at least `bound`. */
-static void cut_row(int32_t at, int32_t dx, int32_t bound, uint16_t columns, int32_t *first, int32_t *last) {
-  int32_t bit, x = -1;
-  if (dx == 0) {
-    if (at < bound) *first = columns;
-    return;
-  }
-  if (dx > 0) {
-    /* x: the last column below the bound */
-    for (bit = 4096; bit > 0; bit >>= 1)
-      if (x + bit < columns && at + dx * (x + bit) < bound) x += bit;
-    if (x + 1 > *first) *first = x + 1;
-  } else {
-    /* x: the last column not below it */
-    for (bit = 4096; bit > 0; bit >>= 1)
-      if (x + bit < columns && at + dx * (x + bit) >= bound) x += bit;
-    if (x < *last) *last = x;
-  }
-}
-
 /* Rows of any triangle: each end by bisection. */
 static void cut_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
   const fc_facet *facet = &brush->facet;
@@ -243,10 +223,10 @@ static void cut_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
   for (i = 0; i < 3; i++) at[i] = facet->at[i];
   for (row = 0; row < rows; row++, p += facet->py) {
     int32_t first = 0, last = columns - 1, inner_first, inner_last;
-    for (i = 0; i < 3; i++) cut_row(at[i], facet->dx[i], 0, columns, &first, &last);
+    for (i = 0; i < 3; i++) fc_facet_cut(at[i], facet->dx[i], 0, columns, &first, &last);
     inner_first = first;
     inner_last = last;
-    for (i = 0; i < 3; i++) cut_row(at[i], facet->dx[i], facet->certain, columns, &inner_first, &inner_last);
+    for (i = 0; i < 3; i++) fc_facet_cut(at[i], facet->dx[i], facet->certain, columns, &inner_first, &inner_last);
     if (inner_first > inner_last) {
       for (; first <= last; first++) ask(brush, row, (uint16_t)first);
     } else {
@@ -269,7 +249,7 @@ static void finish(fc_brush *brush) {
   fetch(brush);
   fc_scan_tint(scan);
   fc_face_normal(&brush->form, n);
-  fc_planar_light(scan, n, fc_i128_dot(n, brush->form.u.triangle.vertex[0]), brush->form.u.triangle.vertex[0]);
+  fc_planar_light(scan, n, fc_i128_dot(n, brush->form.u.triangle.vertex[0]), brush->form.u.triangle.vertex[0], 3);
 }
 
 /* Starts a tile. */
@@ -368,7 +348,7 @@ static void draw_exactly(fc_brush *brush, const fc_tile *seen) {
 /* A corner's coordinate; up 2^exponent that fits, as the mesh has made sure. */
 static int32_t place(int32_t a, int8_t up, uint32_t mantissa) {
   a = up >= 0 ? a * (INT32_C(1) << up) : fc_floor_shift32(a, up < -31 ? 31 : (uint8_t)-up);
-  return fc_smulhi(a, mantissa);
+  return fc_smulhi32(a, mantissa);
 }
 
 static void bounds(const int32_t at[3], uint8_t fraction, uint16_t size, int32_t *low, int32_t *high) {
@@ -441,11 +421,6 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
     if (brush.plain) fc_scan_tint(scan);
     draw_item(&brush, mesh, &item, rows);
   }
-}
-
-void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
-  (void)receiver;
-  fc_planar_ask(scan, kind, form);
 }
 
 bool fc_triangle_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],

@@ -20,6 +20,7 @@ typedef struct fc_segment {
   int64_t point[3];         /* rounded, below 2^60 */
   uint8_t point_error;      /* per axis: 0 (the point is exact) or 1 */
   bool point_valid;         /* false: too far away for `point`; only the exact form holds */
+  bool outside;             /* the point is outside every closed mesh: what stops the light there stops it with a back face */
   const fc_root *root;      /* NULL: `point` is the exact point */
   const int64_t *origin, *direction; /* with root */
   /* The filters' view of it, filled by fc_segment_prepare: */

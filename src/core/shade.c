@@ -64,10 +64,12 @@ static bool reached(const fc_frame *frame, const fc_space *space, const fc_surfa
   segment->point[2] = surface->point[2];
   if (!fc_kind_of(&surface->at)->facing(&surface->form, &surface->prepared, segment)) return false;
   if (frame->options.offset_rule == FC_OFFSET_EXACT) {
+    segment->outside = true;
     fc_segment_prepare(segment);
     return !fc_space_blocked(space, segment, surface->primitive);
   }
   segment->root = NULL;
+  segment->outside = false; /* rounded, it may have slipped through */
   segment->point_error = 0;
   segment->point_valid = true;
   fc_surface_offset(surface, frame->options.offset_rule, frame->epsilon_grid, segment->point);

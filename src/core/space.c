@@ -3,6 +3,7 @@
 
 #include "bits.h"
 #include "fixcast/error.h"
+#include "search.h"
 
 void fc_cursor_start(fc_cursor *cursor, const fc_space *space) {
   cursor->space = space;
@@ -47,50 +48,92 @@ static int check_light(const fc_scene *scene, uint16_t index) {
   return FC_OK;
 }
 
-int fc_scene_check(const fc_scene *scene_rom) {
-  fc_scene scene;
+int fc_scene_check_tables(const fc_scene *scene) {
   uint32_t primitives = 0;
   uint16_t i;
-  if (scene_rom == NULL) return FC_ERR_NULL;
-  FC_READ(&scene, scene_rom, sizeof scene);
-  if ((scene.shapes == NULL && scene.shape_count > 0) || (scene.materials == NULL && scene.material_count > 0) ||
-      (scene.lights == NULL && scene.light_count > 0))
+  if ((scene->shapes == NULL && scene->shape_count > 0) || (scene->materials == NULL && scene->material_count > 0) ||
+      (scene->lights == NULL && scene->light_count > 0))
     return FC_ERR_NULL;
-  if (scene.exponent < -60 || scene.exponent > 60 || scene.far_exponent < -31 || scene.far_exponent > 32)
+  if (scene->exponent < -60 || scene->exponent > 60 || scene->far_exponent < -31 || scene->far_exponent > 32)
     return FC_ERR_EXPONENT;
-  if (scene.far_limit < 0 || scene.far_limit > FC_COORDINATE_MAX) return FC_ERR_COORDINATE;
-  for (i = 0; i < scene.shape_count; i++) {
+  if (scene->far_limit < 0 || scene->far_limit > FC_COORDINATE_MAX) return FC_ERR_COORDINATE;
+  for (i = 0; i < scene->shape_count; i++) {
     fc_shapes shapes;
     fc_kind kind;
     int error;
-    FC_READ(&shapes, scene.shapes + i, sizeof shapes);
+    FC_READ(&shapes, scene->shapes + i, sizeof shapes);
     if (shapes.kind == NULL || (shapes.items == NULL && shapes.count > 0)) return FC_ERR_NULL;
     primitives += shapes.count;
     if (primitives > FC_PRIMITIVES_MAX) return FC_ERR_COUNT;
     FC_READ(&kind, shapes.kind, sizeof kind);
-    error = kind.check(&scene, &shapes);
+    error = kind.check(scene, &shapes);
     if (error != FC_OK) return error;
   }
-  for (i = 0; i < scene.light_count; i++) {
-    int error = check_light(&scene, i);
+  for (i = 0; i < scene->light_count; i++) {
+    int error = check_light(scene, i);
     if (error != FC_OK) return error;
   }
   return FC_OK;
 }
 
-bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t skip) {
+int fc_scene_check(const fc_scene *scene_rom) {
+  fc_scene scene;
+  fc_bvh bvh;
+  fc_bvh_kind kind;
+  int error;
+  if (scene_rom == NULL) return FC_ERR_NULL;
+  FC_READ(&scene, scene_rom, sizeof scene);
+  error = fc_scene_check_tables(&scene);
+  if (error != FC_OK || scene.bvh == NULL) return error;
+  FC_READ(&bvh, scene.bvh, sizeof bvh);
+  if (bvh.kind == NULL) return FC_ERR_NULL;
+  FC_READ(&kind, bvh.kind, sizeof kind);
+  return kind.check(&scene, &bvh);
+}
+
+bool fc_space_search(const fc_space *space, fc_reach *reach, fc_visit *visit, void *context) {
+  bool sieve = reach != NULL && space->scene->bvh != NULL;
+  fc_bvh bvh;
+  fc_bvh_kind kind;
   fc_cursor cursor;
   fc_cursor_start(&cursor, space);
   while (fc_cursor_next(&cursor)) {
     uint16_t i;
-    for (i = 0; i < cursor.group.shapes.count; i++) {
-      fc_form form;
-      if ((uint16_t)(cursor.group.first + i) == skip) continue;
-      fc_kind_of(&cursor)->fetch(&cursor.group, i, &form);
-      if (fc_kind_of(&cursor)->blocked(&form, segment)) return true;
-    }
+    if (sieve && fc_kind_of(&cursor)->bounds != NULL) continue;
+    for (i = 0; i < cursor.group.shapes.count; i++)
+      if (visit(context, &cursor, i)) return true;
   }
-  return false;
+  if (!sieve) return false;
+  FC_READ(&bvh, space->scene->bvh, sizeof bvh);
+  FC_READ(&kind, bvh.kind, sizeof kind);
+  return kind.search(&bvh, space, reach, visit, context);
+}
+
+/* What is being tested for lying on a segment. */
+typedef struct block_test {
+  const fc_segment *segment;
+  uint16_t skip;
+} block_test;
+
+static bool blocks(void *context, const fc_cursor *at, uint16_t index) {
+  const block_test *test = context;
+  fc_form form;
+  if ((uint16_t)(at->group.first + index) == test->skip) return false;
+  fc_kind_of(at)->fetch(&at->group, index, &form);
+  return fc_kind_of(at)->blocked(&form, test->segment);
+}
+
+bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t skip) {
+  block_test test;
+  fc_reach reach;
+  test.segment = segment;
+  test.skip = skip;
+  reach.from = segment->light;
+  reach.to = segment->point;
+  reach.corners = 1;
+  reach.radius = segment->point_error;
+  reach.limited = false;
+  return fc_space_search(space, segment->point_valid ? &reach : NULL, blocks, &test);
 }
 
 bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primitive, const int64_t origin[3],

@@ -12,7 +12,26 @@
 typedef struct fc_space {
   const fc_scene *scene; /* in RAM */
   const void *memory;    /* camera-space copies of all tables in order; NULL: world coordinates */
+  const fc_view *view;   /* with memory: what brought them there */
 } fc_space;
+
+/* A scene in world coordinates. */
+static inline fc_space fc_space_of_world(const fc_scene *scene) {
+  fc_space space;
+  space.scene = scene;
+  space.memory = NULL;
+  space.view = NULL;
+  return space;
+}
+
+/* A scene in the camera space of a frame. */
+static inline fc_space fc_space_of_frame(const fc_frame *frame) {
+  fc_space space;
+  space.scene = &frame->scene;
+  space.memory = frame->memory;
+  space.view = &frame->view;
+  return space;
+}
 
 /* One table at a time: declare, fc_cursor_start, then while (fc_cursor_next(&cursor)). */
 typedef struct fc_cursor {
@@ -38,6 +57,9 @@ bool fc_cursor_next(fc_cursor *cursor);
 
 /* Opens the table that holds a primitive; *index is its place there. False when there is no such primitive. */
 bool fc_cursor_find(fc_cursor *cursor, const fc_space *space, uint16_t primitive, uint16_t *index);
+
+/* What fc_scene_check asks of the tables, all but the bvh. `scene` is in RAM. */
+int fc_scene_check_tables(const fc_scene *scene);
 
 /* Whether the open segment meets any primitive but `skip` (0xffff: none is skipped). */
 bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t skip);

@@ -203,15 +203,12 @@ static int8_t certain_sign(fc_i128 value, fc_i128 error) {
   return fc_i128_compare(fc_i128_abs(value), error) > 0 ? fc_i128_sign(value) : 0;
 }
 
-/* A box around the sphere. */
-static bool apart(const fc_form *form, const fc_segment *segment) {
-  int64_t low[3], high[3];
+static void bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {
   uint8_t i;
   for (i = 0; i < 3; i++) {
     low[i] = form->u.sphere.center[i] - form->u.sphere.radius;
     high[i] = form->u.sphere.center[i] + form->u.sphere.radius;
   }
-  return fc_segment_apart(segment, low, high);
 }
 
 /* Blocked by filter: 1 yes, 0 no, -1 undecided. */
@@ -270,11 +267,12 @@ static int8_t quick_blocked(const fc_form *form, const fc_segment *segment, fc_i
 }
 
 static bool blocked(const fc_form *form, const fc_segment *segment) {
-  int64_t c_light[3];
+  int64_t c_light[3], low[3], high[3];
   fc_i128 q_light;
   int8_t quick;
   uint8_t i;
-  if (apart(form, segment)) return false;
+  bounds(form, low, high);
+  if (fc_segment_apart(segment, low, high)) return false;
   for (i = 0; i < 3; i++) c_light[i] = form->u.sphere.center[i] - segment->light[i];
   q_light = power(c_light, form->u.sphere.radius);
   quick = quick_blocked(form, segment, q_light);
@@ -369,4 +367,4 @@ static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *
 const fc_kind fc_kind_sphere FC_ROM = {
     check,    memory, extent,      place,             fetch,            prepare,        test,             blocked,         facing, normal,
     step_off, NULL,   depth_range, fc_sphere_project, fc_sphere_window, fc_sphere_draw, fc_sphere_shadow, fc_sphere_between,
-    fc_scan_each};
+    fc_scan_each, bounds};

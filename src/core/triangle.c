@@ -295,9 +295,7 @@ static int8_t quick_pierces(const fc_form *form, const fc_segment *segment) {
   return 1;
 }
 
-/* A box around the triangle. */
-static bool apart(const fc_form *form, const fc_segment *segment) {
-  int64_t low[3], high[3];
+static void bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {
   uint8_t j;
   for (j = 0; j < 3; j++) {
     int64_t a = form->u.triangle.vertex[0][j], b = form->u.triangle.vertex[1][j], c = form->u.triangle.vertex[2][j];
@@ -306,7 +304,6 @@ static bool apart(const fc_form *form, const fc_segment *segment) {
     if (c < low[j]) low[j] = c;
     if (c > high[j]) high[j] = c;
   }
-  return fc_segment_apart(segment, low, high);
 }
 
 /* Sign of normal . (A - light): 63 + 62 bits, three products below 2^127. */
@@ -317,15 +314,17 @@ static int8_t side_of_light(const fc_form *form, const fc_segment *segment, cons
 }
 
 static bool blocked(const fc_form *form, const fc_segment *segment) {
-  int64_t n[3];
+  int64_t n[3], low[3], high[3];
   int8_t light, inside;
-  if (apart(form, segment)) return false;
+  bounds(form, low, high);
+  if (fc_segment_apart(segment, low, high)) return false;
   inside = quick_pierces(form, segment);
   FC_TALLY(FC_DECIDE_PIERCE, inside < 0);
   if (inside == 0) return false;
   fc_face_normal(form, n);
   light = side_of_light(form, segment, n);
-  if (light == 0 || fc_side_of_point(segment, n, fc_i128_dot(n, form->u.triangle.vertex[0])) != -light) return false;
+  if (light == 0 || (form->u.triangle.hidden != 0 && segment->outside && light != form->u.triangle.hidden) ||
+      fc_side_of_point(segment, n, fc_i128_dot(n, form->u.triangle.vertex[0])) != -light) return false;
   return inside == 1 || exact_pierces(form, segment);
 }
 
@@ -416,4 +415,5 @@ const fc_kind fc_kind_triangle FC_ROM = {check,
                                          NULL, /* draw: strips are drawn whole */
                                          fc_triangle_shadow,
                                          fc_triangle_between,
-                                         fc_triangle_strip};
+                                         fc_triangle_strip,
+                                         bounds};

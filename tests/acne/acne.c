@@ -150,8 +150,7 @@ static int look(uint8_t rule, unsigned long *facing, unsigned long *dark) {
   options.offset_rule = rule;
   error = fc_frame_setup(&frame, &scene, &camera, &options, SIZE, SIZE, memory, sizeof memory);
   if (error != FC_OK) return error;
-  space.scene = &frame.scene;
-  space.memory = frame.memory;
+  space = fc_space_of_frame(&frame);
   for (y = 0; y < SIZE; y++) {
     for (x = 0; x < SIZE; x++) {
       int64_t d[3];

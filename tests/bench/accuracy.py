@@ -9,6 +9,11 @@ from images import execute
 KEYS = ("wrong_id", "wrong_shadow", "colour_rmse", "colour_max")
 
 
+def exact(errors):
+    """What the exact profile promises."""
+    return errors["wrong_id"] == 0 and errors["wrong_shadow"] == 0 and errors["colour_max"] <= 1
+
+
 def measure(workshop, image):
     """{key: figure}. The oracle's verdict on a frame is kept by content: the same frame is not judged twice."""
     program, _, _ = workshop.build(image._replace(target="host", opt="-O2", dump=True))

@@ -74,9 +74,10 @@ def measure(workshop, image, options, last):
     """Counts one image and prints it; whether its picture is right."""
     built = workshop.build(image)
     reference, _, _ = workshop.build(image._replace(target="host", opt="-O2"))
-    counts = counting.count(image.target, built, workshop.work, options.limit)
+    limit = options.limit or (300_000_000 if image.target == "rp2040" else 5_000_000_000)
+    counts = counting.count(image.target, built, workshop.work, limit)
     if counts.instructions is None:
-        print(f"{image.name()}: gave up after {options.limit} instructions")
+        print(f"{image.name()}: gave up after {limit} instructions; --limit raises that")
         return True
     flash = linkmap.flash(linkmap.read(built[1]), built[2], workshop.work)
     print(report(image, counts, flash, last.get(image.name())))
@@ -118,7 +119,8 @@ def main():
     parser.add_argument("--profile", type=int, default=0, metavar="N", help="fc_options.profile")
     parser.add_argument("--profile-functions", action="store_true", help="also print where the instructions go")
     parser.add_argument("--rows", type=int, default=25, metavar="N", help="of that table")
-    parser.add_argument("--limit", type=int, default=5_000_000_000, metavar="N", help="give up after N instructions")
+    parser.add_argument("--limit", type=int, metavar="N",
+                        help="give up after N instructions; default: what takes about ten seconds")
     parser.add_argument("--source", default=ROOT, metavar="DIR", help="the tree whose core is measured")
     parser.add_argument("--work", default=ROOT / "build/bench", metavar="DIR")
     parser.add_argument("--simulator", default=ROOT / "build/fixcast", metavar="FILE")

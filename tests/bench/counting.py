@@ -39,8 +39,8 @@ def plugin(work):
     source, made = HERE / "count_plugin.c", pathlib.Path(work) / "count_plugin.so"
     if not made.exists() or made.stat().st_mtime < source.stat().st_mtime:
         fresh = made.with_suffix(f".{os.getpid()}")
-        execute(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", "-fPIC", "-shared", "-fvisibility=hidden",
-                 source, "-o", fresh])
+        execute(["gcc", "-std=gnu99", "-O2", "-Wall", "-Wextra", "-Werror", "-fPIC", "-shared", "-pthread",
+                 "-fvisibility=hidden", source, "-o", fresh])
         fresh.rename(made)
     return made
 

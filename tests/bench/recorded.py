@@ -6,16 +6,17 @@ recorded.py --simulator FILE [--work DIR] --self-test   proves that growth, a wr
 A line of recorded.txt: scene size target opt renderer profile instructions compiler.
 """
 import argparse
-import pathlib
+import json
 import re
 import sys
 import typing
 
+import accuracy
 import bench_scenes
 import counting
 import images
-from images import Failure, HERE, Image, TARGETS
-from suite import PROFILES
+from images import Failure, HERE, Image, TARGETS, execute
+from plan import PROFILES
 
 FILE = HERE / "recorded.txt"
 HEAD = """# Instructions of a frame, set-up included: scene size target opt renderer profile instructions compiler.
@@ -66,14 +67,20 @@ def count(workshop, image):
     return Record(image, sum(counts.instructions.values()), f"{compiler}-{workshop.version(compiler).strip()}")
 
 
-def verdict(old, new):
-    """(whether it is within the tolerance, a sentence)."""
+def comparison(old, new):
+    """One sentence."""
     pixels = old.image.width * old.image.height
     change = 100 * (new.instructions / old.instructions - 1)
     text = (f"{old.image.name()}: {new.instructions / pixels:.2f} instructions a pixel, {change:+.2f} % against the "
             f"recorded {old.instructions / pixels:.2f}")
     if new.compiler != old.compiler:
         text += f" (recorded with {old.compiler}, this is {new.compiler})"
+    return text
+
+
+def verdict(old, new):
+    """(whether it is within the tolerance, a sentence that says what to do)."""
+    text = comparison(old, new)
     if new.instructions > old.instructions * TOLERANCE:
         return False, text + "; more than 3 % slower: find out why, or record it with `make bench-update`"
     if new.instructions * TOLERANCE < old.instructions:
@@ -110,6 +117,11 @@ def self_test(workshop, records):
     counting.run_on_host = lambda image: {"crc": "0x00000000"}
     tests["a wrong picture is refused"] = refused(lambda: count(workshop, records[0].image))
     counting.run_on_host = on_host
+    image = records[0].image
+    whole = json.loads(execute([workshop.scenes.simulator, "compare", workshop.scenes.source(image.scene), "--size",
+                                f"{image.width}x{image.height}", "--json"]))
+    tests["a frame from a file is judged as the core's own"] = \
+        accuracy.measure(workshop, image) == {key: whole[key] for key in accuracy.KEYS}
     for name, passed in tests.items():
         print(f"{'passed' if passed else 'FAILED'}: {name}")
     return 0 if all(tests.values()) else 1
@@ -131,7 +143,7 @@ def main():
         if options.update:
             fresh = [count(workshop, record.image) for record in records]
             FILE.write_text(HEAD + "".join(record.line() for record in fresh))
-            print("".join(verdict(old, new)[1] + "\n" for old, new in zip(records, fresh)), end="")
+            print("".join(comparison(old, new) + "\n" for old, new in zip(records, fresh)), end="")
             return 0
         return check(workshop, records)
     except Failure as failure:

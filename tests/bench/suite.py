@@ -2,8 +2,8 @@
 
 suite.py [--work DIR] [--simulator FILE] [--only WORD...]
 
-Prints a table and writes DIR/bench.json. What takes more instructions than the limit is null there. Any wrong picture
-or failed build makes the exit code 1.
+Prints a table and writes DIR/bench.json. What takes more instructions than the limit is null there. A failed build, a
+picture unlike the host's, or one by the exact profile that is not exact makes the exit code 1.
 """
 import argparse
 import collections
@@ -22,51 +22,18 @@ import bench_scenes
 import counting
 import images
 import linkmap
-from images import Failure, Image, RENDERERS, ROOT
+from images import Failure, RENDERERS, ROOT
+from plan import PROFILES, plan
 
 QEMU_LIMIT = 4_000_000_000
 RP2040_LIMIT = 400_000_000  # a hundred times slower than QEMU
-SECONDS = 120  # for one run
+SECONDS = 120  # for one run; no image of the plan should come near
 HOST_SECONDS = 0.2  # of drawing the same frame again and again, to time it
-PROFILES = ("exact", "fast", "half", "interlaced")  # by number: fc_options.profile
-
-CHIPS = ("m0plus", "m3", "m4", "m4f", "rv32")
-SPHERES = ("s5s1", "s5s8", "s5s64", "s5s512")
-LIT_FIELDS = ("s5t5", "s5t10", "s5t21", "s5t45")
-FLAT_FIELDS = ("s5f5", "s5f10", "s5f21", "s5f45")
-SIZES = ((64, 64), (240, 240), (320, 240))
-
-
-def plan():
-    """All images, those first that are looked at most."""
-    square = (128, 128)
-
-    def each(scenes, chips, renderers, sizes=(square,), opts=("-O2",)):
-        return [Image(chip, renderer, scene, *size, opt) for scene in scenes for size in sizes for chip in chips
-                for opt in opts for renderer in renderers]
-
-    todo = each(("s1", "s1r"), CHIPS, ("fixcast", "float", "double", "q16"))
-    todo += each(("s1", "s1r"), ("m4f",), ("scan_float",))
-    todo += each(("s1",), CHIPS, ("fixcast",), opts=("-Os", "-O3"))
-    todo += each(("s1",), ("m0plus", "m3"), ("fixcast-rays",))
-    todo += each(("s1b",), ("m0plus", "m3"), ("fixcast",))
-    todo += each(("s2",), CHIPS, ("fixcast", "float", "fixed"))
-    todo += each(("s4",), CHIPS, ("fixcast",))
-    todo += each(SPHERES, CHIPS, ("fixcast",))
-    todo += each(SPHERES, ("m0plus", "m3", "m4f"), ("float",)) + each(SPHERES, ("m0plus", "m3"), ("q16",))
-    todo += each(SPHERES, ("m4f",), ("scan_float",))
-    todo += each(LIT_FIELDS + FLAT_FIELDS, ("m0plus", "m3"), ("fixcast",))
-    todo += each(FLAT_FIELDS, ("m0plus", "m3"), ("fixed",)) + each(FLAT_FIELDS, ("m4f",), ("float",))
-    todo += each(("s1", "s1r", "s2", "s4", "s5s8", "s5t10"), ("m0plus", "m3"), ("fixcast",), SIZES)
-    todo += each(("s1", "s1r", "s2", "s4"), ("rp2040",), ("fixcast",), ((240, 240),))
-    todo += each(("s1",), ("rp2040",), ("fixcast", "q16", "float"))
-    todo += each(("s2",), ("rp2040",), ("fixcast", "fixed"))
-    return todo
 
 
 class Host(typing.NamedTuple):
     """What a renderer's program says on the host: the right CRC, its errors, seconds a frame."""
-    crc: typing.Optional[str]
+    crc: str
     errors: dict
     seconds: float
 
@@ -90,50 +57,55 @@ class Suite:
         self.workshop = workshop
         self.failures, self.lock = [], threading.Lock()
 
-    def fail(self, sentence):
+    def fail(self, image, sentence):
         with self.lock:
-            self.failures.append(sentence[:800])
+            self.failures.append(f"{image.name()}: {sentence}"[:800])
 
-    def judge(self, image):
-        """The Host of an image; its errors are None where something failed."""
-        try:
-            errors = accuracy.measure(self.workshop, image)
-            program, _, _ = self.workshop.build(image)
-            return Host(counting.run_on_host(program).get("crc"), errors, seconds_of(program))
-        except Failure as failure:
-            self.fail(f"{image.name()}: {failure}")
-            return Host(None, dict.fromkeys(accuracy.KEYS), 0)
-
-    def count(self, image, host):
-        """The row of an image."""
+    def count(self, image):
+        """The row of an image; what needs the host comes later."""
         row = dict(scene=image.scene, size=f"{image.width}x{image.height}", target=image.target,
                    opt=image.opt.strip("-"), renderer=image.renderer,
                    profile=PROFILES[image.profile] if RENDERERS[image.renderer].core else None,
                    instructions_per_pixel=None, cycles_per_pixel=None, flash_bytes=None, ram_bytes=None,
-                   stack_bytes=None, **host.errors, setup_instructions=None, crc=None, stages=None, libc_bytes=None,
-                   host_ratio=None)
+                   stack_bytes=None, **dict.fromkeys(accuracy.KEYS), setup_instructions=None, crc=None, stages=None,
+                   libc_bytes=None, host_ratio=None)
         try:
             built = self.workshop.build(image)
+            flash = linkmap.flash(linkmap.read(built[1]), built[2], self.workshop.work)
+            row.update(flash_bytes=flash["core"] + flash["libgcc"] + flash["libm"], libc_bytes=flash["libc"])
             counts = counting.count(image.target, built, self.workshop.work,
                                     RP2040_LIMIT if image.target == "rp2040" else QEMU_LIMIT, SECONDS)
         except Failure as failure:
-            self.fail(f"{image.name()}: {failure}")
+            self.fail(image, failure)
             return row
-        flash = linkmap.flash(linkmap.read(built[1]), built[2], self.workshop.work)
-        row.update(flash_bytes=flash["core"] + flash["libgcc"] + flash["libm"], libc_bytes=flash["libc"])
-        if counts.instructions is None:
-            return row
-        pixels = image.width * image.height
-        row.update(instructions_per_pixel=sum(counts.instructions.values()) / pixels,
-                   setup_instructions=counts.instructions["setup"], crc=counts.printed.get("crc"),
-                   stages={region: stages(functions, pixels) for region, functions in counts.functions.items()})
-        for key in ("ram_bytes", "stack_bytes"):
-            row[key] = int(counts.printed[key]) if key in counts.printed else None
-        if counts.cycles:
-            row["cycles_per_pixel"] = sum(counts.cycles.values()) / pixels
-        if host.crc is not None and row["crc"] != host.crc:
-            self.fail(f"{image.name()}: a wrong picture: CRC {row['crc']}, on the host {host.crc}")
+        if counts.instructions is not None:
+            pixels = image.width * image.height
+            row.update(instructions_per_pixel=sum(counts.instructions.values()) / pixels,
+                       setup_instructions=counts.instructions["setup"], crc=counts.printed.get("crc"),
+                       stages={region: stages(functions, pixels) for region, functions in counts.functions.items()})
+            for key in ("ram_bytes", "stack_bytes"):
+                row[key] = int(counts.printed[key]) if key in counts.printed else None
+            if counts.cycles:
+                row["cycles_per_pixel"] = sum(counts.cycles.values()) / pixels
         return row
+
+    def judge(self, image):
+        """The Host of an image, or None where something failed."""
+        try:
+            errors = accuracy.measure(self.workshop, image)
+            if RENDERERS[image.renderer].core and PROFILES[image.profile] == "exact" and not accuracy.exact(errors):
+                self.fail(image, f"not exact: {errors}")
+            program, _, _ = self.workshop.build(image)
+            return Host(counting.run_on_host(program).get("crc"), errors, seconds_of(program))
+        except Failure as failure:
+            self.fail(image, failure)
+            return None
+
+    def complete(self, image, row, host):
+        """Adds what the host says to a row that was counted."""
+        row.update(host.errors)
+        if row["crc"] != host.crc:
+            self.fail(image, f"a wrong picture: CRC {row['crc']}, on the host {host.crc}")
 
 
 def stages(functions, pixels):
@@ -164,8 +136,7 @@ def run(suite, todo, jobs):
     if any(image.target == "rp2040" for image in todo):
         counting.rp2040js(suite.workshop.work)
     on_host = {image: image._replace(target="host", opt="-O2") for image in todo}
-    frames = list(dict.fromkeys(on_host.values()))
-    started, steps = time.monotonic(), len(frames) + len(todo)
+    started, steps = time.monotonic(), len(todo) + len(set(on_host.values()))
     done = 0
 
     def step(result):
@@ -176,13 +147,21 @@ def run(suite, todo, jobs):
         return result
 
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        rows = list(pool.map(lambda image: step(suite.count(image)), todo))
+        # A frame that no chip finished is not worth the oracle's time.
+        frames = list(dict.fromkeys(on_host[image] for image, row in zip(todo, rows) if row["crc"] is not None))
         hosts = dict(zip(frames, pool.map(lambda image: step(suite.judge(image)), frames)))
-        rows = list(pool.map(lambda image: step(suite.count(image, hosts[on_host[image]])), todo))
-    floats = {(frame.scene, frame.width, frame.height): host.seconds for frame, host in hosts.items() if frame.renderer == "float"}
-    for row, image in zip(rows, todo):
+    progress(steps, steps, started)
+    floats = {(frame.scene, frame.width, frame.height): host.seconds for frame, host in hosts.items()
+              if frame.renderer == "float" and host is not None}
+    for image, row in zip(todo, rows):
+        host = hosts.get(on_host[image])
+        if row["crc"] is None or host is None:
+            continue
+        suite.complete(image, row, host)
         base = floats.get((image.scene, image.width, image.height))
         if base:
-            row["host_ratio"] = round(hosts[on_host[image]].seconds / base, 2)
+            row["host_ratio"] = round(host.seconds / base, 2)
     return rows
 
 

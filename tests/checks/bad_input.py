@@ -142,6 +142,8 @@ def check_files(simulator, directory, report):
     missing = directory / "missing.nff"
     check_refusal(report, "missing file", run(simulator, ["render", missing]), ["missing.nff"])
     check_refusal(report, "directory as a scene", run(simulator, ["render", directory]), [directory.name])
+    check_refusal(report, "missing frame", run(simulator, ["compare", scene, "--frame", missing]), ["missing.nff"])
+    check_refusal(report, "no frame", run(simulator, ["compare", scene, "--frame", scene]), ["s1.nff", "128x128"])
     for command, option in (("render", "-o"), ("render", "--depth"), ("bake", "-o")):
         for name, target in (("missing directory", directory / "nowhere" / "frame.png"), ("a directory", directory),
                              ("a full device", pathlib.Path("/dev/full")), ("no name", pathlib.Path("."))):

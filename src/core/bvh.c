@@ -1,0 +1,424 @@
+/*
+ * Searching a hierarchy: the hull of a point and a region, swept through boxes of cells.
+ *
+ * The sweep. Between two boxes A and B of whole cell borders that hold the two ends, the hull at s in 0 .. 1 lies within
+ * A + s (B - A), bound by bound. It meets a node's box iff some s satisfies, on every axis,
+ *   A.high + s (B.high - A.high) >= low   and   A.low + s (B.low - A.low) <= high:
+ * six conditions of the form s a >= b, each true from some s on or up to some s. No division: the reciprocals of the six a are
+ * made once a search, rounded so that a condition is never taken for false where it is true.
+ *
+ * Ends are brought from camera space to cells with a margin, for the camera's rows are rounded and so is every placed vertex.
+ * With R the exact rotation, A = R + E the rows, |E_ij| <= 2^-31 + 2^-58, a world point x (relative to the eye, in grid units,
+ * |x| < 2^30: the grid is chosen so) is placed at v = A x + d, |d_i| <= 1/2. Taken back by A',
+ *   A' v - x = (A'A - I) x + A' d,   |A'A - I| <= 2 |E| + |E|^2 < 6.01 * 2^-31 (|E| at most its Frobenius norm, 3 * 2^-31),
+ * so |A' v - x| < 3.01 + 0.87 an axis. Straight lines stay straight under A', so a triangle's camera-space points come back within
+ * 3.9 units of its world-space box. A sphere's radius is rounded by 1/2 and stretched by |A'| <= 1 + 2^-29: 2 units more for
+ * radii below 2^30. A region's radius below 2^31 is stretched by 4 units at most. Hence:
+ */
+#include "bits.h"
+#include "bvh.h"
+#include "fixcast/error.h"
+#include "quick.h"
+#include "search.h"
+
+#define MARGIN 10 /* camera grid units: 3.9 + 2 + 4 */
+
+/* ---- ends in cells ---- */
+
+/* Borders of cells, below 2^61. */
+typedef struct cell_box {
+  int64_t low[3], high[3];
+} cell_box;
+
+/* ceil(v / 2^s) */
+static int64_t ceil_shift(int64_t v, uint8_t s) { return -fc_floor_shift64(-v, s); }
+
+/* The box of a point and what lies within `radius` of it, an axis; false when it is too far away to say. */
+static bool locate(const fc_bvh *bvh, const fc_view *view, const int64_t point[3], int64_t radius, cell_box *box) {
+  int64_t origin[3];
+  uint8_t i, j, bits = fc_vector_bits(point), drop;
+  origin[0] = bvh->origin.x;
+  origin[1] = bvh->origin.y;
+  origin[2] = bvh->origin.z;
+  if (bits > 62) return false;
+  if (view == NULL) {
+    for (i = 0; i < 3; i++) {
+      /* 2^62 + 2^31 + 2^31 */
+      box->low[i] = fc_floor_shift64(point[i] - origin[i] - radius, bvh->shift);
+      box->high[i] = ceil_shift(point[i] - origin[i] + radius, bvh->shift);
+    }
+    return bits <= 60;
+  }
+  drop = bits > 31 ? (uint8_t)(bits - 31) : 0; /* a far point in coarser units */
+  {
+    /* Units of 2^(drop - 30) of the camera grid's. A column of the rows is at most 2^30 sqrt(3) in |.|_1: with floors below 2^31
+     * in magnitude its dot product is below 2^61.8, an error of 1 an axis below 2^31, radius and margin below 2^61.1: the
+     * sums fit. One cell is 2^down of these units. */
+    int64_t reach = (radius + MARGIN + (INT64_C(1) << drop) - 1) >> drop, around;
+    int16_t down = (int16_t)(30 - drop - view->shift + view->fine + bvh->shift);
+    int32_t p[3];
+    for (i = 0; i < 3; i++) p[i] = (int32_t)fc_floor_shift64(point[i], drop);
+    around = reach * (INT64_C(1) << 30) + (drop != 0 ? INT64_C(1) << 31 : 0);
+    for (i = 0; i < 3; i++) {
+      int64_t along = 0, eye, low, high;
+      for (j = 0; j < 3; j++) along += fc_smul32(view->row[j][i], p[j]);
+      low = along - around;
+      high = along + around;
+      if (down >= 0) {
+        low = fc_floor_shift64(low, down > 63 ? 63 : (uint8_t)down);
+        high = ceil_shift(high, down > 63 ? 63 : (uint8_t)down);
+      } else {
+        if (fc_bits64(fc_abs64(low) | fc_abs64(high)) - down > 60) return false;
+        low *= INT64_C(1) << -down;
+        high *= INT64_C(1) << -down;
+      }
+      /* The eye, 2^61, less the origin, 2^31 * 2^31, in 2^(fine + shift) to a cell. */
+      eye = view->eye[i] - origin[i] * (INT64_C(1) << view->fine);
+      box->low[i] = low + fc_floor_shift64(eye, (uint8_t)(view->fine + bvh->shift));
+      box->high[i] = high + ceil_shift(eye, (uint8_t)(view->fine + bvh->shift));
+      if (fc_bits64(fc_abs64(box->low[i]) | fc_abs64(box->high[i])) > 61) return false;
+    }
+  }
+  return true;
+}
+
+/* Sides of the root's box that a box lies wholly beyond, a bit each. */
+static uint8_t beyond(const cell_box *box) {
+  uint8_t i, faces = 0;
+  for (i = 0; i < 3; i++) {
+    if (box->high[i] < 0) faces = (uint8_t)(faces | 1u << (2 * i));
+    if (box->low[i] > FC_BVH_CELLS) faces = (uint8_t)(faces | 2u << (2 * i));
+  }
+  return faces;
+}
+
+#define NEAR_BITS 17
+
+static bool far_off(const cell_box *box) {
+  uint8_t i;
+  for (i = 0; i < 3; i++)
+    if (fc_abs64(box->low[i]) >> NEAR_BITS != 0 || fc_abs64(box->high[i]) >> NEAR_BITS != 0) return true;
+  return false;
+}
+
+/* Moves a far end of the sweep towards the other one, past what is beyond one side of the root; returns how far, Q62. The sides
+ * that an end is beyond are left one by one, so bisection finds where the last of them is. Halving bounds by floor and ceiling
+ * gives floor((B - A) / 2^n), so each step taken loosens the box by less than 1. */
+static uint64_t draw_near(cell_box *end, const cell_box *other) {
+  uint64_t moved = 0, part = UINT64_C(1) << 62;
+  cell_box step, next;
+  uint8_t faces = beyond(end), i;
+  bool small = false;
+  if (faces == 0 || !far_off(end)) return 0;
+  for (i = 0; i < 3; i++) {
+    step.low[i] = other->low[i] - end->low[i]; /* below 2^62 */
+    step.high[i] = other->high[i] - end->high[i];
+  }
+  while (!small) {
+    small = true;
+    part >>= 1;
+    for (i = 0; i < 3; i++) {
+      step.low[i] = fc_floor_shift64(step.low[i], 1);
+      step.high[i] = ceil_shift(step.high[i], 1);
+      if (fc_abs64(step.low[i]) >> 12 != 0 || fc_abs64(step.high[i]) >> 12 != 0) small = false;
+      next.low[i] = end->low[i] + step.low[i];
+      next.high[i] = end->high[i] + step.high[i];
+    }
+    if (faces & beyond(&next)) {
+      *end = next;
+      moved += part;
+    }
+  }
+  return moved;
+}
+
+/* ---- the sweep ---- */
+
+/* One bound: the node's is `gap` ahead of the sweep's start. */
+typedef struct bound {
+  int32_t start;    /* below 2^18 */
+  uint32_t rise;    /* how far the sweep moves towards it, or 0; below 2^19 */
+  uint32_t fall;    /* ... away from it, or 0 */
+  uint32_t inverse; /* 2^31 / rise, floored; 2^31 / fall, rounded up */
+} bound;
+
+typedef struct sweep {
+  bound at[6];    /* low and high of each axis */
+  uint32_t exit;  /* the part of the sweep that matters, Q31 */
+  uint16_t round; /* 2^coarse - 1 */
+  uint8_t coarse; /* cells are counted in 2^coarse */
+  /* of rays: */
+  uint64_t begin, end; /* Q62 of the whole way, which is t = 2^scale */
+  uint8_t scale, axis; /* the axis along which it moves most */
+  bool back;           /* ... downwards */
+} sweep;
+
+static void set_bound(bound *b, int64_t start, int64_t change) {
+  b->start = (int32_t)start;
+  b->rise = change > 0 ? (uint32_t)change : 0;
+  b->fall = change < 0 ? (uint32_t)-change : 0;
+  b->inverse = 0;
+  if (b->rise != 0) b->inverse = (UINT32_C(1) << 31) / b->rise;
+  if (b->fall != 0) b->inverse = ((UINT32_C(1) << 31) + b->fall - 1) / b->fall;
+}
+
+/* Rounds a t up to the sweep's Q31. */
+static uint32_t part_of(const sweep *s, fc_num t) {
+  const uint64_t one = UINT64_C(1) << 31;
+  uint64_t at = fc_num_round(t, 62 - s->scale); /* t < 2^scale (1 + 2^-56) unless it saturates */
+  fc_num q;
+  if (at >= s->end) return (uint32_t)one;
+  if (at <= s->begin) return 2;
+  q = fc_num_div(fc_num_from_u64(at - s->begin, 0), fc_num_from_u64(s->end - s->begin, 0));
+  at = fc_num_round(q, 31) + 2;
+  return (uint32_t)(at > one ? one : at);
+}
+
+/* The end of a ray: farther out than anything can be, 2^31 in world space and 2^30 in a camera's. */
+static uint8_t ray_end(const fc_reach *reach, int64_t to[3]) {
+  uint8_t bits = fc_vector_bits(reach->to), from = fc_vector_bits(reach->from), i, scale;
+  /* the largest component is at least 2^(33 - 1) and twice the origin's */
+  scale = (uint8_t)((from > 31 ? from + 2 : 33) - bits);
+  for (i = 0; i < 3; i++) to[i] = reach->from[i] + reach->to[i] * (INT64_C(1) << scale);
+  return scale;
+}
+
+/* What has to be visited: everything, because the ends are far beyond what is kept of them; nothing; what is met. */
+enum { VISIT_ALL, VISIT_NONE, VISIT_MET };
+
+static uint8_t start(sweep *s, const fc_bvh *bvh, const fc_view *view, const fc_reach *reach) {
+  cell_box from, to, whole;
+  uint8_t i, bits = 0;
+  if (reach->radius < 0 || reach->radius >> 31 != 0) return VISIT_ALL;
+  if (!locate(bvh, view, reach->from, 0, &from)) return VISIT_ALL;
+  s->scale = 0;
+  if (reach->corners == 0) {
+    int64_t end[3];
+    if (fc_vector_bits(reach->to) > 30 || fc_vector_bits(reach->from) > 56) return VISIT_ALL;
+    s->scale = ray_end(reach, end);
+    if (!locate(bvh, view, end, 0, &to)) return VISIT_ALL;
+  } else {
+    uint8_t corner;
+    if (!locate(bvh, view, reach->to, reach->radius, &to)) return VISIT_ALL;
+    for (corner = 1; corner < reach->corners; corner++) {
+      cell_box more;
+      if (!locate(bvh, view, reach->to + 3 * corner, reach->radius, &more)) return VISIT_ALL;
+      for (i = 0; i < 3; i++) {
+        if (more.low[i] < to.low[i]) to.low[i] = more.low[i];
+        if (more.high[i] > to.high[i]) to.high[i] = more.high[i];
+      }
+    }
+  }
+  whole = from;
+  s->begin = draw_near(&from, &to);
+  s->end = (UINT64_C(1) << 62) - draw_near(&to, &whole);
+  if (s->begin >= s->end) return VISIT_NONE; /* beyond one side or another all the way */
+  for (i = 0; i < 3; i++) {
+    uint8_t b = fc_bits64(fc_abs64(from.low[i]) | fc_abs64(from.high[i]) | fc_abs64(to.low[i]) | fc_abs64(to.high[i]));
+    if (b > bits) bits = b;
+  }
+  s->coarse = bits > NEAR_BITS + 1 ? (uint8_t)(bits - NEAR_BITS - 1) : 0;
+  if (s->coarse > 15) return VISIT_ALL;
+  s->round = (uint16_t)((1u << s->coarse) - 1);
+  s->axis = 0;
+  for (i = 0; i < 3; i++) {
+    int64_t a, b;
+    a = ceil_shift(from.high[i], s->coarse); /* at most 2^18 */
+    b = ceil_shift(to.high[i], s->coarse);
+    set_bound(&s->at[2 * i], a, b - a);
+    a = fc_floor_shift64(from.low[i], s->coarse);
+    b = fc_floor_shift64(to.low[i], s->coarse);
+    set_bound(&s->at[2 * i + 1], a, a - b);
+    if (s->at[2 * i].rise + s->at[2 * i].fall > s->at[2 * s->axis].rise + s->at[2 * s->axis].fall) s->axis = i;
+  }
+  s->back = s->at[2 * s->axis].fall != 0;
+  s->exit = UINT32_C(1) << 31;
+  return VISIT_MET;
+}
+
+/* Narrows enter .. exit; false when the bound is never reached. Products: gap <= rise, so at most 2^31; gap < fall, so below
+ * 2^31 + 2^19. */
+static inline bool within(const bound *b, int32_t gap, uint32_t *enter, uint32_t *exit) {
+  if (gap > 0) {
+    uint32_t t;
+    if ((uint32_t)gap > b->rise) return false;
+    t = (uint32_t)gap * b->inverse;
+    if (t > *enter) *enter = t;
+  } else if ((uint32_t)-gap < b->fall) {
+    uint32_t t = (uint32_t)-gap * b->inverse;
+    if (t < *exit) *exit = t;
+  }
+  return true;
+}
+
+static bool meets(const sweep *s, const fc_bvh_node *node) {
+  uint32_t enter = 0, exit = s->exit;
+  const bound *b = s->at;
+  uint8_t i;
+  for (i = 0; i < 3; i++, b += 2) {
+    int32_t low = fc_bvh_low(node->axis[i]), high = fc_bvh_high(node->axis[i]);
+    if (s->coarse != 0) {
+      low = low >> s->coarse;
+      high = (high + s->round) >> s->coarse;
+    }
+    if (!within(&b[0], low - b[0].start, &enter, &exit) || !within(&b[1], b[1].start - high, &enter, &exit)) return false;
+  }
+  return enter <= exit;
+}
+
+static void read_node(const fc_bvh *bvh, uint32_t node, fc_bvh_node *to) { FC_READ(to, bvh->nodes + (node - 1), sizeof *to); }
+
+static uint16_t read_order(const fc_bvh *bvh, uint16_t at) {
+  uint16_t primitive;
+  FC_READ(&primitive, bvh->order + at, sizeof primitive);
+  return primitive;
+}
+
+/* The child of `node` that a ray meets first, more or less. */
+static uint32_t nearer_child(const fc_bvh *bvh, const sweep *s, uint32_t node) {
+  fc_bvh_node a, b;
+  read_node(bvh, 2 * node, &a);
+  read_node(bvh, 2 * node + 1, &b);
+  return 2 * node + ((fc_bvh_low(a.axis[s->axis]) > fc_bvh_low(b.axis[s->axis])) != s->back);
+}
+
+static bool search(const fc_bvh *bvh, const fc_space *space, fc_reach *reach, fc_visit *visit, void *context) {
+  const uint32_t leaves = fc_bvh_leaves(bvh);
+  uint32_t node = 1, done = 1; /* of each level, from the lowest bit up: is this the second child visited? */
+  uint8_t what;
+  bool all;
+  sweep s;
+  fc_cursor at;
+  if (bvh->count == 0) return false;
+  what = start(&s, bvh, space->view, reach);
+  if (what == VISIT_NONE) return false;
+  all = what == VISIT_ALL;
+  if (all) reach->corners = 1; /* no order either */
+  at.group.shapes.count = 0;
+  at.group.first = 0;
+  while (node != 0) {
+    fc_bvh_node box;
+    if (!all) {
+      if (reach->limited) s.exit = part_of(&s, reach->limit);
+      reach->limited = false;
+      read_node(bvh, node, &box);
+    }
+    if (all || meets(&s, &box)) {
+      uint16_t i, end;
+      if (node < leaves) {
+        node = reach->corners == 0 ? nearer_child(bvh, &s, node) : 2 * node;
+        done <<= 1;
+        continue;
+      }
+      end = fc_bvh_share(bvh, node - leaves + 1, bvh->depth);
+      for (i = fc_bvh_share(bvh, node - leaves, bvh->depth); i < end; i++) {
+        uint16_t primitive = read_order(bvh, i), index = (uint16_t)(primitive - at.group.first);
+        if (index >= at.group.shapes.count && !fc_cursor_find(&at, space, primitive, &index)) continue;
+        if (visit(context, &at, index)) return true;
+      }
+    }
+    while (done & 1) {
+      done >>= 1;
+      node >>= 1;
+    }
+    if (node == 0) break;
+    node ^= 1;
+    done |= 1;
+  }
+  return false;
+}
+
+/* ---- trust ---- */
+
+uint32_t fc_bvh_count(const fc_scene *scene) {
+  uint32_t count = 0;
+  fc_space space;
+  fc_cursor cursor;
+  space = fc_space_of_world(scene);
+  fc_cursor_start(&cursor, &space);
+  while (fc_cursor_next(&cursor))
+    if (fc_kind_of(&cursor)->bounds != NULL) count += cursor.group.shapes.count;
+  return count;
+}
+
+/* Every number of the order once: 512 of them at a time, marked in a bitmap. As there are as many as finite primitives, and
+ * leaves_hold finds each to be one, none is missing then. */
+static bool each_once(const fc_bvh *bvh) {
+  uint32_t first;
+  for (first = 0; first < FC_PRIMITIVES_MAX; first += 512) {
+    uint32_t seen[16];
+    uint32_t i, more = 0;
+    for (i = 0; i < 16; i++) seen[i] = 0;
+    for (i = 0; i < bvh->count; i++) {
+      uint32_t number = read_order(bvh, (uint16_t)i), bit;
+      if (number < first) continue;
+      number -= first;
+      if (number >= 512) {
+        more = 1;
+        continue;
+      }
+      bit = UINT32_C(1) << (number & 31);
+      if (seen[number >> 5] & bit) return false;
+      seen[number >> 5] |= bit;
+    }
+    if (more == 0) break;
+  }
+  return true;
+}
+
+static bool leaf_holds(const fc_bvh *bvh, const fc_space *space, uint32_t leaf, fc_cursor *at) {
+  fc_bvh_node node;
+  int64_t box_low[3], box_high[3], origin[3];
+  uint16_t i, end = fc_bvh_share(bvh, leaf + 1, bvh->depth);
+  uint8_t j;
+  read_node(bvh, fc_bvh_leaves(bvh) + leaf, &node);
+  origin[0] = bvh->origin.x;
+  origin[1] = bvh->origin.y;
+  origin[2] = bvh->origin.z;
+  for (j = 0; j < 3; j++) {
+    box_low[j] = origin[j] + ((int64_t)fc_bvh_low(node.axis[j]) << bvh->shift);
+    box_high[j] = origin[j] + ((int64_t)fc_bvh_high(node.axis[j]) << bvh->shift);
+  }
+  for (i = fc_bvh_share(bvh, leaf, bvh->depth); i < end; i++) {
+    uint16_t primitive = read_order(bvh, i), index = (uint16_t)(primitive - at->group.first);
+    int64_t low[3], high[3];
+    if (index >= at->group.shapes.count && !fc_cursor_find(at, space, primitive, &index)) return false;
+    if (!fc_bvh_bounds(at, index, low, high)) return false;
+    for (j = 0; j < 3; j++)
+      if (low[j] < box_low[j] || high[j] > box_high[j]) return false;
+  }
+  return true;
+}
+
+static bool holds(const fc_bvh *bvh, uint32_t node, uint32_t child) {
+  fc_bvh_node outer, inner;
+  uint8_t j;
+  read_node(bvh, node, &outer);
+  read_node(bvh, child, &inner);
+  for (j = 0; j < 3; j++)
+    if (fc_bvh_low(inner.axis[j]) < fc_bvh_low(outer.axis[j]) || fc_bvh_high(inner.axis[j]) > fc_bvh_high(outer.axis[j]))
+      return false;
+  return true;
+}
+
+static int check(const fc_scene *scene, const fc_bvh *bvh) {
+  uint32_t leaves, i;
+  fc_space space;
+  fc_cursor at;
+  if (fc_bvh_count(scene) != bvh->count) return FC_ERR_BVH;
+  if (bvh->count == 0) return FC_OK;
+  if (bvh->nodes == NULL || bvh->order == NULL) return FC_ERR_NULL;
+  if (bvh->depth > 15 || bvh->shift > 17) return FC_ERR_BVH;
+  leaves = fc_bvh_leaves(bvh);
+  if (leaves > bvh->count || !each_once(bvh)) return FC_ERR_BVH;
+  space = fc_space_of_world(scene);
+  at.group.shapes.count = 0;
+  at.group.first = 0;
+  for (i = 0; i < leaves; i++)
+    if (!leaf_holds(bvh, &space, i, &at)) return FC_ERR_BVH;
+  for (i = 1; i < leaves; i++)
+    if (!holds(bvh, i, 2 * i) || !holds(bvh, i, 2 * i + 1)) return FC_ERR_BVH;
+  return FC_OK;
+}
+
+const fc_bvh_kind fc_bvh_balanced FC_ROM = {check, search};

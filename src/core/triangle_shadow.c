@@ -1,0 +1,215 @@
+/*
+ * A triangle's shadow on a plane: forms that are affine in the pixel.
+ *
+ * With vertices A, B, C seen from the light, the line from it along W meets the triangle iff W.(A x B), W.(B x C) and W.(C x A) have
+ * the sign of A.(B x C), or are 0. On a receiver n.p = k with the light at height h > 0 above it, W.n > 0 at every pixel. A
+ * triangle wholly on the light's side is met before the receiver, one wholly on the other side after it; otherwise
+ * a fourth form tells: the plane through the light and the line in which the two planes meet.
+ */
+#include "facet.h"
+#include "planar.h"
+#include "scan_kinds.h"
+
+typedef struct shadow_form {
+  int64_t at, dx, dy;
+  int64_t error;
+} shadow_form;
+
+static uint8_t next(uint8_t i) { return i == 2 ? 0 : (uint8_t)(i + 1); }
+
+static void cross(const int32_t a[3], const int32_t b[3], int64_t r[3]) {
+  /* 31 + 31 bits, two products: below 2^63 */
+  r[0] = fc_smul32(a[1], b[2]) - fc_smul32(a[2], b[1]);
+  r[1] = fc_smul32(a[2], b[0]) - fc_smul32(a[0], b[2]);
+  r[2] = fc_smul32(a[0], b[1]) - fc_smul32(a[1], b[0]);
+}
+
+/* floor(v / 2^s) within 2^30; s. */
+static uint8_t shrink(const int64_t v[3], int32_t r[3]) {
+  uint8_t bits = fc_vector_bits(v), s = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
+  for (i = 0; i < 3; i++) r[i] = (int32_t)fc_floor_shift64(v[i], s);
+  return s;
+}
+
+/* 30 + 31 bits, three terms: below 2^63. */
+static int64_t dot(const int32_t a[3], const int32_t b[3]) {
+  return fc_smul32(a[0], b[0]) + fc_smul32(a[1], b[1]) + fc_smul32(a[2], b[2]);
+}
+
+static int64_t norm1(const int32_t a[3]) { return (int64_t)fc_abs32(a[0]) + fc_abs32(a[1]) + fc_abs32(a[2]); }
+
+/* sign W.n for n off by less than `off` a component. */
+static void set_form(const fc_sheaf *w, const int32_t n[3], int8_t sign, uint32_t off, shadow_form *form) {
+  /* Components of W and n within 2^30: below 2^62. W is off by e: |n|_1 e; n by f: |W|_1 f; both: 3 e f. */
+  form->at = sign * dot(n, w->at);
+  form->dx = sign * dot(n, w->dx);
+  form->dy = sign * dot(n, w->dy);
+  form->error = norm1(n) * w->error + ((INT64_C(3) << 30) + 3 * (int64_t)w->error) * off;
+}
+
+/* The form within 2^29 over the tile, and its error there; false when it is below 0 everywhere. */
+static bool fit(const fc_scan *scan, const shadow_form *form, int32_t *at, int32_t *dx, int32_t *dy, int64_t *margin) {
+  int64_t right = form->dx * (scan->columns - 1), down = form->dy * (scan->rows - 1);
+  int64_t most = form->at + form->error + (right > 0 ? right : 0) + (down > 0 ? down : 0);
+  uint8_t shift;
+  if (most < 0) return false;
+  /* one column and row beyond, where steps end */
+  shift = fc_bits64(fc_abs64(form->at) + fc_abs64(right) + fc_abs64(form->dx) + fc_abs64(down) + fc_abs64(form->dy));
+  shift = shift > 28 ? (uint8_t)(shift - 28) : 0;
+  *at = (int32_t)fc_floor_shift64(form->at, shift);
+  *dx = (int32_t)fc_floor_shift64(form->dx, shift);
+  *dy = (int32_t)fc_floor_shift64(form->dy, shift);
+  /* and a floor a step */
+  *margin = fc_floor_shift64(form->error, shift) + 3 + scan->columns + scan->rows;
+  return true;
+}
+
+/* Sides of the receiver on which the vertices are: bit 0, some on the light's; bit 1, some on the other. */
+static uint8_t sides_of(const fc_planar *receiver, const fc_form *form) {
+  uint8_t i, sides = 0;
+  for (i = 0; i < 3; i++) {
+    const int64_t *v = form->u.triangle.vertex[i];
+    int8_t side = fc_planar_side(receiver, v);
+    if (side > 0) sides |= 1;
+    if (side < 0) sides |= 2;
+  }
+  return sides;
+}
+
+/* Darkens the masked pixels of a row between two columns. */
+static void darken(fc_scan *scan, uint16_t row, int32_t first, int32_t last) {
+  int32_t word;
+  for (word = first / 32; word <= last / 32; word++) {
+    uint32_t bits = scan->mask[row * scan->words + word];
+    if (word == first / 32) bits &= UINT32_MAX << (first % 32);
+    if (word == last / 32) bits &= UINT32_MAX >> (31 - last % 32);
+    if (bits != 0) fc_planar_darken(scan, row, (uint16_t)(32 * word), bits);
+  }
+}
+
+static void ask(fc_scan *scan, uint16_t row, int32_t column, const fc_kind *kind, const fc_form *form) {
+  uint32_t bit = UINT32_C(1) << (column % 32);
+  if ((scan->mask[row * scan->words + column / 32] & bit) && fc_scan_blocked(scan, row, (uint16_t)column, kind, form))
+    fc_planar_darken(scan, row, (uint16_t)column, bit);
+}
+
+static void cast(fc_scan *scan, const fc_facet *facet, const int32_t more[3], uint8_t count, const fc_kind *kind,
+                 const fc_form *form) {
+  /* the fourth form: at, dx, dy */
+  int32_t at[4], dx[4], dy[4];
+  uint16_t row;
+  uint8_t i;
+  for (i = 0; i < 4; i++) {
+    at[i] = i < 3 ? facet->at[i] : more[0];
+    dx[i] = i < 3 ? facet->dx[i] : more[1];
+    dy[i] = i < 3 ? facet->dy[i] : more[2];
+  }
+  for (row = 0; row <= scan->last_row; row++) {
+    int32_t first = 0, last = scan->columns - 1, inner_first, inner_last;
+    uint32_t any = 0;
+    if (row >= scan->first_row)
+      for (i = 0; i < scan->words; i++) any |= scan->mask[row * scan->words + i];
+    if (any != 0) {
+      for (i = 0; i < count; i++) fc_facet_cut(at[i], dx[i], 0, scan->columns, &first, &last);
+      if (first <= last) {
+        inner_first = first;
+        inner_last = last;
+        for (i = 0; i < count; i++) fc_facet_cut(at[i], dx[i], facet->certain, scan->columns, &inner_first, &inner_last);
+        if (inner_first > inner_last) inner_first = last + 1;
+        for (; first <= last && first < inner_first; first++) ask(scan, row, first, kind, form);
+        if (first <= last) {
+          for (; last > inner_last; last--) ask(scan, row, last, kind, form);
+          darken(scan, row, first, last);
+        }
+      }
+    }
+    for (i = 0; i < count; i++) at[i] += dy[i];
+  }
+}
+
+/*
+ * The fourth form: W.M > 0 with M = h s n' - |v| n, n' the triangle's normal, v = n'.A, s its sign, h the light's height: where
+ * the line meets the triangle's plane before the receiver. False when it cannot be told.
+ */
+static bool set_passed(const fc_planar *receiver, const int32_t a[3][3], int8_t sign, shadow_form *form) {
+  int32_t ab[3], ac[3], across[3], m[3];
+  int64_t wide[3], volume, height;
+  uint64_t h, v, off, blur_h, blur_v;
+  uint8_t i, bits, shift;
+  for (i = 0; i < 3; i++) {
+    ab[i] = a[1][i] - a[0][i]; /* 31 bits: vertices within 2^30 */
+    ac[i] = a[2][i] - a[0][i];
+  }
+  cross(ab, ac, wide);
+  (void)shrink(wide, across);
+  volume = dot(across, a[0]);
+  height = receiver->height;
+  if (height <= 0 || fc_sign64(volume) != sign) return false;
+  /* both within 30 bits, by the same shift; off by the receiver's slack and |A|_1, and by the cut */
+  bits = fc_bits64((uint64_t)height | fc_abs64(volume));
+  shift = bits > 30 ? (uint8_t)(bits - 30) : 0;
+  h = (uint64_t)height >> shift;
+  v = fc_abs64(volume) >> shift;
+  blur_h = ((uint64_t)receiver->slack >> shift) + 2;
+  blur_v = ((uint64_t)norm1(a[0]) >> shift) + 2;
+  for (i = 0; i < 3; i++) wide[i] = sign * fc_smul32((int32_t)h, across[i]) - fc_smul32((int32_t)v, (int32_t)receiver->normal[i]);
+  bits = fc_vector_bits(wide);
+  shift = shrink(wide, m);
+  /* 30-bit factors, each normal short by less than 1 */
+  off = ((blur_h + blur_v + 2) << 30 >> shift) + 2;
+  if (off >> 24) return false;
+  set_form(&receiver->w, m, 1, (uint32_t)off, form);
+  return true;
+}
+
+void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
+  int32_t a[3][3], n[3][3], more[3] = {0, 0, 0};
+  int64_t volume, margin, certain = 0;
+  fc_facet facet;
+  shadow_form f;
+  uint8_t i, j, sides, cut[3];
+  int8_t sign;
+  for (i = 0; i < 3; i++)
+    for (j = 0; j < 3; j++) a[i][j] = (int32_t)(form->u.triangle.vertex[i][j] - scan->frame->lights[j]); /* 30 bits each */
+  for (i = 0; i < 3; i++) {
+    int64_t wide[3];
+    cross(a[i], a[next(i)], wide);
+    cut[i] = shrink(wide, n[i]) > 0;
+    if (i == 0) {
+      /* A x B is short by less than 1 a component */
+      volume = dot(n[0], a[2]);
+      if (fc_abs64(volume) <= (cut[0] ? (uint64_t)norm1(a[2]) : 0)) {
+        if (volume != 0 || cut[0]) fc_planar_ask(scan, kind, form);
+        return;
+      }
+      sign = fc_sign64(volume);
+      if (form->u.triangle.hidden != 0 && sign != form->u.triangle.hidden) return;
+    }
+    set_form(&receiver->w, n[i], sign, cut[i], &f);
+    if (!fit(scan, &f, &facet.at[i], &facet.dx[i], &facet.dy[i], &margin)) return;
+    if (margin >= INT64_C(1) << 28) {
+      fc_planar_ask(scan, kind, form);
+      return;
+    }
+    facet.at[i] += (int32_t)margin;
+    if (2 * margin + 1 > certain) certain = 2 * margin + 1;
+  }
+  sides = sides_of(receiver, form);
+  if (!(sides & 1)) return;
+  facet.certain = (int32_t)certain;
+  if (sides & 2) {
+    bool told = set_passed(receiver, (const int32_t(*)[3])a, sign, &f);
+    if (told) {
+      if (!fit(scan, &f, &more[0], &more[1], &more[2], &margin)) return;
+      told = margin < INT64_C(1) << 28;
+    }
+    if (told) {
+      more[0] += (int32_t)margin;
+      if (2 * margin + 1 > certain) facet.certain = (int32_t)(2 * margin + 1);
+    } else {
+      facet.certain = INT32_MAX;
+      sides = 1;
+    }
+  }
+  cast(scan, &facet, more, sides & 2 ? 4 : 3, kind, form);
+}
