@@ -13,7 +13,17 @@ typedef struct fc_brush {
   bool plain;   /* colours are final and nothing else is wanted: pixels are written at once */
   bool clip;    /* the far limit may cut it */
   bool steep;   /* no affine depth */
+  bool tinted;  /* scan->tint is that of this material */
+  uint16_t material;
 } fc_brush;
+
+static void set_tint(fc_brush *brush) {
+  if (brush->tinted && brush->material == brush->form.material) return;
+  fc_scan_tint(brush->scan);
+  brush->tinted = true;
+  brush->material = brush->form.material;
+}
+
 
 static void fetch(fc_brush *brush) {
   if (brush->fetched) return;
@@ -354,7 +364,7 @@ static void finish(fc_brush *brush) {
   for (i = 0; i < scan->rows * scan->words; i++) any |= scan->mask[i];
   if (any == 0) return;
   fetch(brush);
-  fc_scan_tint(scan);
+  set_tint(brush);
   fc_face_normal(&brush->form, n);
   fc_planar_light(scan, n, fc_i128_dot(n, brush->form.u.triangle.vertex[0]), brush->form.u.triangle.vertex[0], 3);
 }
@@ -539,6 +549,7 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
   brush.scan = scan;
   brush.plain = scan->frame->light == FC_LIGHT_NONE && scan->pixel_bytes == 2 && scan->target->primitive == NULL &&
                 scan->target->lit == NULL;
+  brush.tinted = false;
   brush.form.u.triangle.hidden = group->shapes.cull ? -1 : 0;
   scan->form = &brush.form;
   fc_bin_start(&walk, group, scan->strip, (uint16_t)(scan->strip + rows - 1));
@@ -549,7 +560,7 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
     brush.fetched = false;
     brush.form.material = item.material;
     brush.form.object = item.object;
-    if (brush.plain) fc_scan_tint(scan);
+    if (brush.plain) set_tint(&brush);
     draw_item(&brush, mesh, &item, rows);
   }
 }
