@@ -167,6 +167,119 @@ bool fc_facet_depth(fc_facet *facet, const fc_frame *frame, const fc_placed_mesh
   return true;
 }
 
+/* |v| as mantissa (2^31 .. 2^32-1, cut) times 2^*exponent; v != 0. */
+static uint32_t normal_of(uint64_t v, int16_t *exponent) {
+  uint32_t high = (uint32_t)(v >> 32), low = (uint32_t)v;
+  uint8_t zeros;
+  if (high == 0) {
+    zeros = fc_clz32(low);
+    *exponent = (int16_t)-zeros;
+    return low << zeros;
+  }
+  zeros = fc_clz32(high);
+  *exponent = (int16_t)(32 - zeros);
+  return zeros == 0 ? high : high << zeros | low >> (32 - zeros);
+}
+
+/* v reciprocal 2^(exponent) / 2^32 rounded, both ways; false when it is 2^29 or more. */
+static bool short_slope(int64_t v, uint32_t reciprocal, int16_t exponent, uint32_t *to) {
+  int16_t e;
+  uint32_t m;
+  *to = 0;
+  if (v == 0) return true;
+  m = fc_mulhi32(normal_of(fc_abs64(v), &e), reciprocal);
+  e = (int16_t)-(e + exponent);
+  if (e < 3) return false;
+  if (e > 32) return true;
+  m = ((m >> (e - 1)) + 1) >> 1;
+  *to = v < 0 ? 0u - m : m;
+  return true;
+}
+
+/* floor(a b / 2^16): a, b below 2^22. */
+static int32_t product16(int32_t a, int32_t b) {
+  uint32_t a0 = (uint32_t)a & 0xffffu, b0 = (uint32_t)b & 0xffffu;
+  return fc_floor_shift32(a, 16) * b + (int32_t)a0 * fc_floor_shift32(b, 16) + (int32_t)((a0 * b0) >> 16);
+}
+
+/* g off / 2^fraction, floors; off below 2^6 pixels. */
+static uint32_t moved(uint32_t g, int32_t off, uint8_t fraction) {
+  return g * (uint32_t)fc_floor_shift32(off, fraction) + (uint32_t)fc_smulhi32(fc_to_i32(g), (uint32_t)off << (32 - fraction));
+}
+
+uint8_t fc_facet_small(fc_small_facet *facet, const fc_frame *frame, const fc_placed_mesh *mesh, const fc_corners *corners,
+                       const fc_tile *box, const fc_tile *tile, int8_t hidden_side) {
+  const uint8_t fraction = corners->fraction, down = (uint8_t)(fraction - 16);
+  const uint32_t side = longest_side(box);
+  const int32_t x1 = corners->x[1] - corners->x[0], x2 = corners->x[2] - corners->x[0];
+  const int32_t y1 = corners->y[1] - corners->y[0], y2 = corners->y[2] - corners->y[0];
+  int64_t area = fc_smul32(x1, y2) - fc_smul32(x2, y1);
+  int32_t left = (2 * tile->x0 + 1 - frame->width) * (INT32_C(1) << (fraction - 1));
+  int32_t top = (2 * tile->y0 + 1 - frame->height) * (INT32_C(1) << (fraction - 1));
+  int32_t x[3], y[3], half = INT32_C(1) << (down - 1), p1, p2;
+  uint32_t margin, p[3], steep, reciprocal, low, high;
+  uint8_t i, j, most;
+  int16_t exponent;
+  /* as in fc_facet_edges; the sum is less than 2^45 */
+  if (fc_high_word((int64_t)(fc_abs64(area) >> fraction)) == 0 &&
+      (uint32_t)(fc_abs64(area) >> fraction) <= side * (8 * FC_CORNER_ERROR) + 1)
+    return FC_FACET_UNCLEAR;
+  if (hidden_side != 0 && (area > 0) == (hidden_side < 0)) return FC_FACET_HIDDEN;
+
+  /* from the corners to the tile's first pixel, in 2^-16 pixels: below 2^22 */
+  for (i = 0; i < 3; i++) {
+    j = area > 0 || i == 0 ? i : (uint8_t)(3 - i);
+    x[i] = fc_floor_shift32(left - corners->x[j] + half, down);
+    y[i] = fc_floor_shift32(top - corners->y[j] + half, down);
+  }
+  margin = 4 * side + 4;
+  margin = (margin >> 1) + ((margin * 11) >> down) + 4 + ((242u * 4) >> down);
+  facet->certain = (int32_t)(2 * margin) + 1;
+  for (i = 0; i < 3; i++) {
+    int32_t dx, dy;
+    j = i == 2 ? 0 : (uint8_t)(i + 1);
+    dx = x[i] - x[j];
+    dy = y[i] - y[j];
+    facet->at[i] = product16(dx, y[i]) - product16(dy, x[i]) + (int32_t)margin;
+    facet->dx[i] = -dy;
+    facet->dy[i] = dx;
+  }
+
+  most = fc_seen_exponent(corners->seen[0]);
+  for (i = 1; i < 3; i++)
+    if (fc_seen_exponent(corners->seen[i]) > most) most = fc_seen_exponent(corners->seen[i]);
+  low = UINT32_MAX;
+  high = 0;
+  for (i = 0; i < 3; i++) {
+    p[i] = fc_mulhi32(fc_seen_mantissa(corners->seen[i]), mesh->depth) >> (1 + most - fc_seen_exponent(corners->seen[i]));
+    if (p[i] < low) low = p[i];
+    if (p[i] > high) high = p[i];
+  }
+  facet->drop = (int16_t)(mesh->depth_down + mesh->focal_down - most - 32);
+  p1 = (int32_t)p[1] - (int32_t)p[0];
+  p2 = (int32_t)p[2] - (int32_t)p[0];
+  if (area < 0) {
+    p1 = -p1;
+    p2 = -p2;
+  }
+  /* 1 / |area| = reciprocal 2^(-63 - exponent) */
+  reciprocal = fc_recip_q63(normal_of(fc_abs64(area), &exponent));
+  exponent = (int16_t)(fraction - 31 - exponent);
+  if (!short_slope(fc_smul32(p1, y2) - fc_smul32(p2, y1), reciprocal, exponent, &facet->px) ||
+      !short_slope(fc_smul32(p2, x1) - fc_smul32(p1, x2), reciprocal, exponent, &facet->py))
+    return FC_FACET_UNCLEAR;
+  facet->p = p[0] + moved(facet->px, left - corners->x[0], fraction) + moved(facet->py, top - corners->y[0], fraction);
+  /* as in fc_facet_depth; slopes are rounded to 1/2, over `side` columns and rows */
+  steep = fc_abs32(fc_to_i32(facet->px)) + fc_abs32(fc_to_i32(facet->py)) + 2;
+  low -= 2 < low ? 2 : low;
+  facet->error = 2 + 16 + 1 + (steep >> (fraction - 2)) + side + 4 +
+                 fc_mulhi32(steep, (side + 1 + (uint32_t)(furthest(box->x0, box->x1, frame->width) +
+                                                          furthest(box->y0, box->y1, frame->height)) / 2) << 5) + 1;
+  facet->least = low > facet->error ? low - facet->error : 0;
+  facet->most = high + facet->error + 2;
+  return FC_FACET_SEEN;
+}
+
 /* v 2^(62 - bits). */
 static fc_i128 to_bits(fc_i128 v, uint8_t bits) {
   return bits < 62 ? fc_i128_shift_left(v, (uint8_t)(62 - bits)) : fc_i128_floor_shift(v, (uint8_t)(bits - 62));

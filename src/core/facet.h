@@ -46,6 +46,22 @@ bool fc_facet_depth(fc_facet *facet, const fc_frame *frame, const fc_placed_mesh
 /* Both from the prepared form: no vertex need be in front of the eye. False when the triangle is seen edge-on. */
 bool fc_facet_exact(fc_facet *facet, const fc_frame *frame, const fc_prepared *prepared, const fc_tile *tile);
 
+/* The same for a triangle within FC_SMALL pixels a side, in 32 bits: near / z = p / 2^(30 + drop), p between least and most inside. */
+#define FC_SMALL 32
+
+typedef struct fc_small_facet {
+  int32_t at[3], dx[3], dy[3], certain;
+  uint32_t p, px, py;
+  uint32_t error, least, most;
+  int16_t drop;
+} fc_small_facet;
+
+/* What the corners tell: too little, or not in 32 bits; that the triangle's hidden side is seen; the forms. */
+enum { FC_FACET_UNCLEAR, FC_FACET_HIDDEN, FC_FACET_SEEN };
+
+uint8_t fc_facet_small(fc_small_facet *facet, const fc_frame *frame, const fc_placed_mesh *mesh, const fc_corners *corners,
+                       const fc_tile *box, const fc_tile *tile, int8_t hidden_side);
+
 /* Cuts *first .. *last to the columns below `columns` where a form at + dx column is at least `bound`, by bisection. */
 void fc_facet_cut(int32_t at, int32_t dx, int32_t bound, uint16_t columns, int32_t *first, int32_t *last);
 

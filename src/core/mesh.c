@@ -5,8 +5,9 @@
 #include "scan_kinds.h"
 #include "view.h"
 
-/* Screen coordinates kept in 16 bits while the bins are filled: y above x. */
-#define UNKNOWN INT16_MIN
+/* Screen coordinates kept in 16 bits while the bins are filled: beyond the guard band; not in front of the eye. */
+#define SIDE INT32_C(32766)
+#define BEHIND UINT32_C(0x80008000)
 
 uint32_t fc_recip_q63(uint32_t m) {
   /* r = 2^31 / m16 for m16 = m / 2^16 rounded: within (1 + 2^-1) 2^-15 of 2^47 / m, 17 bits. The rest 2^47 - m r is below
@@ -73,103 +74,103 @@ static uint32_t see(const fc_placed_mesh *mesh, uint32_t z) {
   return ((m << 1) & ~UINT32_C(31)) | zeros;
 }
 
-/* A screen coordinate; false when it is beyond the guard band. */
-static bool on_screen(const fc_placed_mesh *mesh, int32_t a, uint32_t seen, int32_t *at) {
-  int8_t up = (int8_t)(fc_seen_exponent(seen) - mesh->shift);
-  if (up > 30) return false;
+/* A screen coordinate in 16 bits, 2^15 units as one; beyond the guard band, the side. */
+static int32_t short_coordinate(const fc_placed_mesh *mesh, int32_t a, uint32_t mantissa, uint8_t exponent) {
+  int8_t up = (int8_t)(exponent - mesh->shift);
+  int32_t at = 0;
+  bool within = up <= 30;
   if (up >= 0) {
-    if (fc_abs32(a) >> (31 - up) != 0) return false;
-    a *= INT32_C(1) << up;
+    within = within && fc_abs32(a) >> (31 - up) == 0;
+    if (within) a *= INT32_C(1) << up;
   } else {
     a = fc_floor_shift32(a, up < -31 ? 31 : (uint8_t)-up);
   }
-  *at = fc_smulhi32(a, fc_seen_mantissa(seen));
-  return fc_abs32(*at) < UINT32_C(1) << 30;
+  if (within) {
+    at = fc_floor_shift32(fc_smulhi32(a, mantissa), 15);
+    if (at > -SIDE && at < SIDE) return at;
+  }
+  return a < 0 ? -SIDE : SIDE;
 }
 
-/* 16 bits of it; beyond the guard band, the side. */
-static uint32_t short_form(bool within, int32_t at, int32_t a) {
-  int32_t v = within ? fc_floor_shift32(at, 15) : a < 0 ? -INT16_MAX : INT16_MAX;
-  return (uint32_t)v & 0xffffu;
-}
-
-/* Screen coordinates in place of `seen`, y downwards. */
+/* The vertex on the screen, and short coordinates in place of `seen`: y, downwards, above x. */
 static void see_shortly(const fc_placed_mesh *mesh, fc_placed_vertex *v) {
-  uint32_t seen;
-  int32_t x = 0, y = 0, down = -v->p[1];
-  bool x_within, y_within;
+  uint32_t seen, mantissa;
+  uint8_t exponent;
   if (v->p[2] <= 0) {
-    v->seen = (uint32_t)(uint16_t)UNKNOWN << 16;
+    v->seen = BEHIND;
     return;
   }
   seen = see(mesh, (uint32_t)v->p[2]);
-  x_within = on_screen(mesh, v->p[0], seen, &x);
-  y_within = on_screen(mesh, down, seen, &y);
-  v->seen = short_form(y_within, y, down) << 16 | short_form(x_within, x, v->p[0]);
-}
-
-static void see_fully(const fc_placed_mesh *mesh, fc_placed_vertex *v) {
-  int32_t unused;
-  v->seen = 0;
-  if (v->p[2] <= 0 || mesh->fraction == 0) return;
-  v->seen = see(mesh, (uint32_t)v->p[2]);
-  if (!on_screen(mesh, v->p[0], v->seen, &unused) || !on_screen(mesh, v->p[1], v->seen, &unused)) v->seen = 0;
+  mantissa = fc_seen_mantissa(seen);
+  exponent = fc_seen_exponent(seen);
+  v->seen = (uint32_t)short_coordinate(mesh, -v->p[1], mantissa, exponent) << 16 |
+            ((uint32_t)short_coordinate(mesh, v->p[0], mantissa, exponent) & 0xffffu);
 }
 
 static int32_t short_x(uint32_t seen) { return fc_floor_shift32(fc_to_i32(seen << 16), 16); }
 static int32_t short_y(uint32_t seen) { return fc_floor_shift32(fc_to_i32(seen), 16); }
 
-typedef struct range {
-  int32_t low, high;
-} range;
+static void see_fully(const fc_placed_mesh *mesh, fc_placed_vertex *v) {
+  int32_t x = short_x(v->seen), y = short_y(v->seen);
+  if (v->seen == BEHIND || x == SIDE || x == -SIDE || y == SIDE || y == -SIDE)
+    v->seen = 0;
+  else
+    v->seen = see(mesh, (uint32_t)v->p[2]);
+}
 
-static range range_of(int32_t a, int32_t b, int32_t c) {
-  range r;
-  r.low = a < b ? a : b;
-  r.high = a < b ? b : a;
-  if (c < r.low) r.low = c;
-  if (c > r.high) r.high = c;
+/* What turns short coordinates into the pixels whose centres may lie between them. */
+typedef struct lines {
+  int32_t before, after, last; /* added to the least and the greatest; the last pixel */
+} lines;
+
+static lines lines_of(uint16_t size, uint8_t point) {
+  /* a short coordinate is short by less than 1, and its pixel by less than 1; the centre of pixel i is (2 i + 1 - size) / 2 from the
+   * middle */
+  lines r;
+  int32_t middle = ((int32_t)size - 1) * (INT32_C(1) << (point - 1));
+  r.before = middle - 2 + (INT32_C(1) << point) - 1;
+  r.after = middle + 3;
+  r.last = size - 1;
   return r;
 }
 
-/* From short coordinates to the pixels whose centres may lie between, `size` of them from edge to edge; false when there are none. */
-static bool pixels_of(const fc_placed_mesh *mesh, uint16_t size, range *r) {
-  /* a short coordinate is off by less than 2; the centre of pixel i is at (2 i + 1 - size) / 2 */
-  uint8_t point = (uint8_t)(mesh->fraction - 15);
-  int32_t middle = ((int32_t)size - 1) * (INT32_C(1) << point) / 2, one = INT32_C(1) << point;
-  int32_t low = fc_floor_shift32(r->low + middle - 2 + one - 1, point), high = fc_floor_shift32(r->high + middle + 3, point);
-  if (r->low == -INT16_MAX || low < 0) low = 0;
-  if (r->high == INT16_MAX || high > size - 1) high = size - 1;
-  r->low = low;
-  r->high = high;
-  return low <= high;
+/* Least and greatest short coordinate to pixels; false when there are none. */
+static inline bool pixels_of(const lines *line, uint8_t point, int32_t *low, int32_t *high) {
+  *low = fc_floor_shift32(*low + line->before, point);
+  *high = fc_floor_shift32(*high + line->after, point);
+  if (*low < 0) *low = 0;
+  if (*high > line->last) *high = line->last;
+  return *low <= *high;
 }
 
+/* How short coordinates are read. */
+typedef struct glance {
+  lines x, y;
+  uint8_t point;
+} glance;
+
+#define SORT(a, b, c, low, high) \
+  do {                           \
+    low = high = a;              \
+    if (b < low) low = b;        \
+    if (b > high) high = b;      \
+    if (c < low) low = c;        \
+    if (c > high) high = c;      \
+  } while (0)
+
 /* Rows of a triangle that may be seen; false when it is not. */
-static bool rows_of(const fc_frame *frame, const fc_placed_mesh *mesh, const fc_placed_vertex *const v[3], uint8_t cull, range *rows) {
-  int32_t ax, ay, bx, by, cx, cy, area, slack;
-  range x, y;
-  ax = short_x(v[0]->seen);
-  ay = short_y(v[0]->seen);
-  bx = short_x(v[1]->seen);
-  by = short_y(v[1]->seen);
-  cx = short_x(v[2]->seen);
-  cy = short_y(v[2]->seen);
-  x = range_of(ax, bx, cx);
-  y = range_of(ay, by, cy);
-  rows->low = 0;
-  rows->high = frame->height - 1;
-  if (y.low == UNKNOWN || mesh->fraction == 0) return v[0]->p[2] > 0 || v[1]->p[2] > 0 || v[2]->p[2] > 0;
-  if (cull && x.high - x.low < 0x4000 && y.high - y.low < 0x4000 && x.low > -INT16_MAX && y.low > -INT16_MAX && x.high < INT16_MAX &&
-      y.high < INT16_MAX) {
+static bool rows_of(const glance *g, uint32_t a, uint32_t b, uint32_t c, uint8_t cull, int32_t *top, int32_t *bottom) {
+  int32_t ax = short_x(a), bx = short_x(b), cx = short_x(c), ay = short_y(a), by = short_y(b), cy = short_y(c);
+  int32_t left, right;
+  SORT(ax, bx, cx, left, right);
+  SORT(ay, by, cy, *top, *bottom);
+  if (cull && (uint32_t)(right - left) < 0x4000 && (uint32_t)(*bottom - *top) < 0x4000 && left > -SIDE && right < SIDE &&
+      *top > -SIDE && *bottom < SIDE) {
     /* 14 + 14 bits, two products; each coordinate off by less than 2. y runs down: the front is clockwise */
-    area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
-    slack = 8 * (x.high - x.low + y.high - y.low) + 32;
-    if (area > slack) return false;
+    int32_t area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+    if (area > 8 * (right - left + *bottom - *top) + 32) return false;
   }
-  if (!pixels_of(mesh, frame->width, &x) || !pixels_of(mesh, frame->height, &y)) return false;
-  *rows = y;
-  return true;
+  return pixels_of(&g->y, g->point, top, bottom) && pixels_of(&g->x, g->point, &left, &right);
 }
 
 void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
@@ -177,26 +178,42 @@ void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *m
   fc_placed_vertex *vertices = (fc_placed_vertex *)(void *)(mesh + 1);
   uint16_t *next = (uint16_t *)(void *)(vertices + shapes->vertex_count), i;
   uint8_t j;
+  glance g;
   set_scales(frame, mesh);
   for (j = 0; j < FC_BINS; j++) mesh->head[j] = FC_BIN_END;
-  if (mesh->fraction != 0)
-    for (i = 0; i < shapes->vertex_count; i++) see_shortly(mesh, &vertices[i]);
-  for (i = shapes->count; i > 0; i--) {
-    const fc_placed_vertex *v[3];
+  g.point = (uint8_t)(mesh->fraction - 15);
+  if (mesh->fraction != 0) {
+    g.x = lines_of(frame->width, g.point);
+    g.y = lines_of(frame->height, g.point);
+  }
+  for (i = 0; i < shapes->vertex_count; i++) {
+    if (mesh->fraction != 0)
+      see_shortly(mesh, &vertices[i]);
+    else
+      vertices[i].seen = BEHIND;
+  }
+  for (i = shapes->count; i-- > 0;) {
     fc_triangle t;
-    range rows;
+    int32_t top = 0, bottom = frame->height - 1;
+    uint32_t a, b, c;
     uint8_t level = 0, shift = mesh->band_shift;
     uint16_t *head;
-    fc_read_triangle(shapes, (uint16_t)(i - 1), &t);
-    for (j = 0; j < 3; j++) v[j] = &vertices[t.vertex[j]];
-    if (!rows_of(frame, mesh, v, shapes->cull, &rows)) continue;
-    while ((rows.high - rows.low) >> shift != 0) {
+    fc_read_triangle(shapes, i, &t);
+    a = vertices[t.vertex[0]].seen;
+    b = vertices[t.vertex[1]].seen;
+    c = vertices[t.vertex[2]].seen;
+    if (a == BEHIND || b == BEHIND || c == BEHIND) {
+      if (vertices[t.vertex[0]].p[2] <= 0 && vertices[t.vertex[1]].p[2] <= 0 && vertices[t.vertex[2]].p[2] <= 0) continue;
+    } else if (!rows_of(&g, a, b, c, shapes->cull, &top, &bottom)) {
+      continue;
+    }
+    while ((bottom - top) >> shift != 0) {
       shift++;
       level++;
     }
-    head = &mesh->head[fc_mesh_level(level) + (rows.low >> shift)];
-    next[i - 1] = *head;
-    *head = (uint16_t)(i - 1);
+    head = &mesh->head[fc_mesh_level(level) + (top >> shift)];
+    next[i] = *head;
+    *head = i;
   }
   for (i = 0; i < shapes->vertex_count; i++) see_fully(mesh, &vertices[i]);
 }

@@ -311,6 +311,10 @@ bool fc_scan_wants_light(const fc_scan *scan, uint16_t row, uint16_t column, uin
 static uint32_t levels(uint16_t reflectance, uint64_t light, uint8_t most, uint8_t down) {
   /* 17 + 56 bits would overflow: lights that bright are cut */
   uint64_t product;
+  if (light <= UINT16_MAX && reflectance <= FC_ONE_Q15) {
+    /* 15 + 16 bits; 24 + 8 */
+    return (((uint32_t)reflectance * (uint32_t)light >> 7) * most) >> down;
+  }
   if (light >> 40) return UINT32_MAX;
   product = (uint64_t)reflectance * light >> 7;             /* Q23 */
   if (product >> 40) return UINT32_MAX;
@@ -325,7 +329,11 @@ void fc_scan_tint(fc_scan *scan) {
   fc_material material;
   uint16_t diffuse[3], ambient[3];
   uint8_t i, level[3];
+#ifdef FC_ROM_FAR
   FC_READ(&material, frame->scene.materials + scan->form->material, sizeof material);
+#else
+  material = frame->scene.materials[scan->form->material];
+#endif
   diffuse[0] = material.diffuse.r;
   diffuse[1] = material.diffuse.g;
   diffuse[2] = material.diffuse.b;

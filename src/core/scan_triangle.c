@@ -13,7 +13,17 @@ typedef struct fc_brush {
   bool plain;   /* colours are final and nothing else is wanted: pixels are written at once */
   bool clip;    /* the far limit may cut it */
   bool steep;   /* no affine depth */
+  bool tinted;  /* scan->tint is that of this material */
+  uint16_t material;
 } fc_brush;
+
+static void set_tint(fc_brush *brush) {
+  if (brush->tinted && brush->material == brush->form.material) return;
+  fc_scan_tint(brush->scan);
+  brush->tinted = true;
+  brush->material = brush->form.material;
+}
+
 
 static void fetch(fc_brush *brush) {
   if (brush->fetched) return;
@@ -161,55 +171,162 @@ static void flank_add(fc_flank *flank, int32_t at, int32_t dx, int32_t dy) {
   flank->ay = dy;
 }
 
-/* Rows of a triangle whose edge forms add up to a constant: at most two of them rise to the right, at most two fall. The ends of a
- * row are found from those of the row before. */
+/* The columns of a row that may be inside, and the forms there. */
+typedef struct fc_ends {
+  fc_flank left, right;
+  int32_t from, to, columns;
+} fc_ends;
+
+/* Edge forms that add up to a constant: at most two of them rise to the right, at most two fall. */
+static void ends_start(fc_ends *ends, const int32_t at[3], const int32_t dx[3], const int32_t dy[3], uint16_t columns) {
+  const int32_t never = INT32_C(1) << 30;
+  const fc_flank open = {never, never, 0, 0, 0, 0};
+  uint8_t i;
+  ends->left = ends->right = open;
+  ends->from = 0;
+  ends->to = columns - 1;
+  ends->columns = columns;
+  for (i = 0; i < 3; i++) {
+    if (dx[i] >= 0)
+      flank_add(&ends->left, at[i], dx[i], dy[i]);
+    else
+      flank_add(&ends->right, at[i] + dx[i] * ends->to, -dx[i], dy[i]);
+  }
+}
+
+/* The ends of a row are found from those of the row before. */
+static inline void ends_find(fc_ends *ends) {
+  fc_flank *flank = &ends->left;
+  int32_t a = flank->a, b = flank->b, at = ends->from;
+  const int32_t stop = ends->columns;
+  if ((a | b) < 0) {
+    while (at < stop && (a | b) < 0) {
+      a += flank->ax;
+      b += flank->bx;
+      at++;
+    }
+  } else {
+    while (at > 0 && ((a - flank->ax) | (b - flank->bx)) >= 0) {
+      a -= flank->ax;
+      b -= flank->bx;
+      at--;
+    }
+  }
+  flank->a = a;
+  flank->b = b;
+  ends->from = at;
+  flank = &ends->right;
+  a = flank->a;
+  b = flank->b;
+  at = ends->to;
+  if ((a | b) < 0) {
+    while (at >= 0 && (a | b) < 0) {
+      a += flank->ax;
+      b += flank->bx;
+      at--;
+    }
+  } else {
+    while (at < stop - 1 && ((a - flank->ax) | (b - flank->bx)) >= 0) {
+      a -= flank->ax;
+      b -= flank->bx;
+      at++;
+    }
+  }
+  flank->a = a;
+  flank->b = b;
+  ends->to = at;
+}
+
+static inline void flank_down(fc_flank *flank) {
+  flank->a += flank->ay;
+  flank->b += flank->by;
+}
+
+/* Asks for the pixels of a row that are not inside for certain; the others are *first .. *last. */
+static void ask_ends(fc_brush *brush, const fc_ends *ends, int32_t certain, uint16_t row, int32_t *first, int32_t *last) {
+  int32_t a = ends->left.a - certain, b = ends->left.b - certain;
+  for (; *first <= *last && (a | b) < 0; a += ends->left.ax, b += ends->left.bx) ask(brush, row, (uint16_t)(*first)++);
+  a = ends->right.a - certain;
+  b = ends->right.b - certain;
+  for (; *first <= *last && (a | b) < 0; a += ends->right.ax, b += ends->right.bx) ask(brush, row, (uint16_t)(*last)--);
+}
+
+static bool ends_open(const fc_ends *ends, int32_t certain) {
+  return ((ends->left.a - certain) | (ends->left.b - certain) | (ends->right.a - certain) | (ends->right.b - certain)) < 0;
+}
+
 static void walk_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
   const fc_facet *facet = &brush->facet;
-  const int32_t never = INT32_C(1) << 30, certain = facet->certain;
-  fc_flank left = {never, never, 0, 0, 0, 0}, right = {never, never, 0, 0, 0, 0};
-  int32_t from = 0, to = columns - 1;
   uint64_t p = facet->p;
   uint16_t row;
-  uint8_t i;
-  for (i = 0; i < 3; i++) {
-    if (facet->dx[i] >= 0)
-      flank_add(&left, facet->at[i], facet->dx[i], facet->dy[i]);
-    else
-      flank_add(&right, facet->at[i] + facet->dx[i] * to, -facet->dx[i], facet->dy[i]);
-  }
+  fc_ends ends;
+  ends_start(&ends, facet->at, facet->dx, facet->dy, columns);
   for (row = 0; row < rows; row++, p += facet->py) {
-    while (from < columns && (left.a | left.b) < 0) {
-      left.a += left.ax;
-      left.b += left.bx;
-      from++;
-    }
-    while (from > 0 && ((left.a - left.ax) | (left.b - left.bx)) >= 0) {
-      left.a -= left.ax;
-      left.b -= left.bx;
-      from--;
-    }
-    while (to >= 0 && (right.a | right.b) < 0) {
-      right.a += right.ax;
-      right.b += right.bx;
-      to--;
-    }
-    while (to < columns - 1 && ((right.a - right.ax) | (right.b - right.bx)) >= 0) {
-      right.a -= right.ax;
-      right.b -= right.bx;
-      to++;
-    }
-    if (from <= to) {
-      int32_t first = from, last = to, a = left.a - certain, b = left.b - certain;
-      for (; first <= last && (a | b) < 0; a += left.ax, b += left.bx) ask(brush, row, (uint16_t)first++);
-      a = right.a - certain;
-      b = right.b - certain;
-      for (; first <= last && (a | b) < 0; a += right.ax, b += right.bx) ask(brush, row, (uint16_t)last--);
+    ends_find(&ends);
+    if (ends.from <= ends.to) {
+      int32_t first = ends.from, last = ends.to;
+      if (ends_open(&ends, facet->certain)) ask_ends(brush, &ends, facet->certain, row, &first, &last);
       if (first <= last) span(brush, row, (uint16_t)first, (uint16_t)last, p);
     }
-    left.a += left.ay;
-    left.b += left.by;
-    right.a += right.ay;
-    right.b += right.by;
+    flank_down(&ends.left);
+    flank_down(&ends.right);
+  }
+}
+
+/* The same in 32 bits, all of it within one octave and within the far limit. */
+static void walk_small_rows(fc_brush *brush, const fc_small_facet *facet, uint16_t columns, uint16_t rows) {
+  fc_scan *scan = brush->scan;
+  const fc_coder *coder = &brush->coder;
+  const uint32_t open = 2 * facet->error, low_bits = 2 * coder->half - 1, base = (uint32_t)coder->base;
+  const uint8_t shift = coder->shift;
+  uint32_t up_row = facet->p + coder->half + facet->error;
+  uint16_t *depth_row = fc_scan_depth(scan, 0, 0);
+  uint8_t *to_row = fc_scan_pixel(scan, 0, 0);
+  uint16_t row;
+  fc_ends ends;
+  ends_start(&ends, facet->at, facet->dx, facet->dy, columns);
+  for (row = 0; row < rows; row++) {
+    ends_find(&ends);
+    if (ends.from <= ends.to) {
+      int32_t first = ends.from, last = ends.to;
+      if (ends_open(&ends, facet->certain)) ask_ends(brush, &ends, facet->certain, row, &first, &last);
+      if (first <= last) {
+        uint16_t *depth = depth_row + first, *end = depth_row + last;
+        uint32_t up = up_row + facet->px * (uint32_t)first;
+        const uint32_t step = facet->px;
+        if (brush->plain) {
+          uint8_t *to = to_row + 2 * first;
+          const uint8_t one = scan->tint.unlit[0], two = scan->tint.unlit[1];
+          for (; depth <= end; depth++, to += 2, up += step) {
+            uint32_t code = (up >> shift) + base, there = *depth;
+            if ((up & low_bits) <= open || code == there) {
+              ask(brush, row, (uint16_t)(depth - depth_row));
+            } else if (code > there) {
+              *depth = (uint16_t)code;
+              to[0] = one;
+              to[1] = two;
+            }
+          }
+        } else {
+          uint32_t bits = 0, bit = UINT32_C(1) << first;
+          for (; depth <= end; depth++, bit <<= 1, up += step) {
+            uint32_t code = (up >> shift) + base, there = *depth;
+            if ((up & low_bits) <= open || code == there) {
+              ask(brush, row, (uint16_t)(depth - depth_row));
+            } else if (code > there) {
+              *depth = (uint16_t)code;
+              bits |= bit;
+            }
+          }
+          scan->mask[row] |= bits;
+        }
+      }
+    }
+    flank_down(&ends.left);
+    flank_down(&ends.right);
+    up_row += facet->py;
+    depth_row += scan->frame->width;
+    to_row += scan->target->pitch_bytes;
   }
 }
 
@@ -247,7 +364,7 @@ static void finish(fc_brush *brush) {
   for (i = 0; i < scan->rows * scan->words; i++) any |= scan->mask[i];
   if (any == 0) return;
   fetch(brush);
-  fc_scan_tint(scan);
+  set_tint(brush);
   fc_face_normal(&brush->form, n);
   fc_planar_light(scan, n, fc_i128_dot(n, brush->form.u.triangle.vertex[0]), brush->form.u.triangle.vertex[0], 3);
 }
@@ -293,6 +410,29 @@ static void start_depth(fc_brush *brush) {
   fc_scan *scan = brush->scan;
   brush->clip = scan->clip_far && !beyond_doubt(scan->frame, &brush->facet);
   if (!brush->steep) fc_coder_start(&brush->coder, scan->frame, brush->facet.drop, UINT32_C(1) << 30);
+}
+
+/* A small triangle, in one tile; false when the forms want more than 32 bits. */
+static bool draw_small(fc_brush *brush, const fc_placed_mesh *mesh, const fc_corners *corners, const fc_tile *box,
+                       const fc_tile *tile) {
+  const fc_frame *frame = brush->scan->frame;
+  fc_coder *coder = &brush->coder;
+  fc_small_facet facet;
+  uint16_t rows = (uint16_t)(tile->y1 - tile->y0 + 1);
+  uint8_t how = fc_facet_small(&facet, frame, mesh, corners, box, tile, brush->form.u.triangle.hidden);
+  uint32_t q;
+  if (how != FC_FACET_SEEN) return how == FC_FACET_HIDDEN;
+  if (brush->scan->clip_far && !(q30_of(facet.least, facet.drop, &q) && q > frame->far_high)) return false;
+  fc_coder_start(coder, frame, facet.drop, facet.most);
+  if (facet.most >> 31 || facet.least < coder->low || coder->base + (int32_t)(facet.least >> coder->shift) <= 1 ||
+      coder->base + (int32_t)(facet.most >> coder->shift) >= UINT16_MAX - 1)
+    return false;
+  brush->facet.error = facet.error;
+  brush->steep = brush->clip = false;
+  aim(brush, tile);
+  walk_small_rows(brush, &facet, brush->scan->columns, rows);
+  if (!brush->plain) finish(brush);
+  return true;
 }
 
 /* From screen coordinates; false when they do not tell enough. */
@@ -390,6 +530,9 @@ static void draw_item(fc_brush *brush, const fc_placed_mesh *mesh, const fc_tria
     seen.x0 = box.x0 > 0 ? box.x0 : 0;
     seen.x1 = box.x1 < frame->width - 1 ? box.x1 : frame->width - 1;
     if (seen.x0 > seen.x1) return;
+    if (box.x1 - box.x0 < FC_SMALL && box.y1 - box.y0 < FC_SMALL && (brush->plain || seen.y1 - seen.y0 < FC_SCAN_ROWS) &&
+        draw_small(brush, mesh, &corners, &box, &seen))
+      return;
     if (draw_projected(brush, mesh, &corners, &box, &seen)) return;
   } else {
     seen.x0 = 0;
@@ -408,6 +551,7 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
   brush.scan = scan;
   brush.plain = scan->frame->light == FC_LIGHT_NONE && scan->pixel_bytes == 2 && scan->target->primitive == NULL &&
                 scan->target->lit == NULL;
+  brush.tinted = false;
   brush.form.u.triangle.hidden = group->shapes.cull ? -1 : 0;
   scan->form = &brush.form;
   fc_bin_start(&walk, group, scan->strip, (uint16_t)(scan->strip + rows - 1));
@@ -418,7 +562,7 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
     brush.fetched = false;
     brush.form.material = item.material;
     brush.form.object = item.object;
-    if (brush.plain) fc_scan_tint(scan);
+    if (brush.plain) set_tint(&brush);
     draw_item(&brush, mesh, &item, rows);
   }
 }
