@@ -9,7 +9,9 @@ void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
   /* Something touches the eye's plane or has no end: sixteen octaves below the coordinates' range. */
   if (near == 0) near = ((far < (UINT64_C(1) << 30) ? far : (UINT64_C(1) << 30)) >> 16) + 1;
   if (near > UINT32_MAX) near = UINT32_MAX;
-  near -= near >> 12; /* the greatest codes stay free, so that fast forms need not saturate */
+  /* The greatest codes stay free, so that fast forms need not saturate. Not by a power of two: rows of a level plane would
+   * meet the boundaries of rounding exactly. */
+  near -= near * 23 >> 16;
   frame->depth_near = (uint32_t)near;
   if (bits == 0) {
     /* codes run down to near / 2^(2^bits); the lowest is kept free, hence the small margin */

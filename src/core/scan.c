@@ -189,7 +189,10 @@ static int8_t affine_run(const fc_scan *scan, uint64_t at, int64_t step, uint8_t
   }
   if (low <= margin) return RUN_MIXED;
   fc_coder_follow(coder, scan->frame, (uint32_t)high);
-  return (uint32_t)low >= coder->low && coder->base >= 1 ? RUN_PLAIN : RUN_MIXED;
+  return (uint32_t)low >= coder->low && coder->base >= 1 &&
+                 coder->base + (int32_t)((uint32_t)high >> coder->shift) < UINT16_MAX - 1
+             ? RUN_PLAIN
+             : RUN_MIXED;
 }
 
 void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, int64_t value, int64_t step,
