@@ -29,12 +29,14 @@
 #define FC_READ(to, from, bytes) ((void)memcpy((to), (from), (bytes)))
 #endif
 
-/* A pointer that is known to be a multiple of 4. */
+/* A pointer that is known to be a multiple of 4, or of 2. */
 #if defined(__GNUC__) && !defined(FC_ALIGNED4)
 #define FC_ALIGNED4(pointer) __builtin_assume_aligned((pointer), 4)
+#define FC_ALIGNED2(pointer) __builtin_assume_aligned((pointer), 2)
 #endif
 #ifndef FC_ALIGNED4
 #define FC_ALIGNED4(pointer) (pointer)
+#define FC_ALIGNED2(pointer) (pointer)
 #endif
 
 #endif

@@ -46,7 +46,13 @@ static inline void fc_read_triangle(const fc_shapes *shapes, uint16_t index, fc_
 #ifdef FC_ROM_FAR
   FC_READ(t, (const fc_triangle *)shapes->items + index, sizeof *t);
 #else
-  *t = ((const fc_triangle *)shapes->items)[index];
+  /* field by field: a copy of the whole is a call on chips that copy words only */
+  const fc_triangle *from = (const fc_triangle *)shapes->items + index;
+  t->vertex[0] = from->vertex[0];
+  t->vertex[1] = from->vertex[1];
+  t->vertex[2] = from->vertex[2];
+  t->material = from->material;
+  t->object = from->object;
 #endif
 }
 

@@ -1,4 +1,6 @@
 /* The scan engine on triangles: spans of edge forms, depth by an affine near / z. */
+#include <string.h>
+
 #include "facet.h"
 #include "planar.h"
 #include "scan_kinds.h"
@@ -10,17 +12,20 @@ typedef struct fc_brush {
   fc_form form;
   fc_coder coder;
   bool fetched; /* form holds the vertices */
-  bool plain;   /* colours are final and nothing else is wanted: pixels are written at once */
+  bool plain;   /* colours are final, two bytes each, and nothing else is wanted: pixels are written at once */
   bool clip;    /* the far limit may cut it */
   bool steep;   /* no affine depth */
   bool tinted;  /* scan->tint is that of this material */
   uint16_t material;
+  uint16_t colour; /* the unlit pixel as it lies in memory */
+  uint32_t open;   /* of a depth code with 16 fraction bits: up to here its rounding is open */
 } fc_brush;
 
 static void set_tint(fc_brush *brush) {
   if (brush->tinted && brush->material == brush->form.material) return;
   fc_scan_tint(brush->scan);
   brush->tinted = true;
+  memcpy(&brush->colour, brush->scan->tint.unlit, sizeof brush->colour);
   brush->material = brush->form.material;
 }
 
@@ -85,49 +90,72 @@ static void careful_pixel(fc_brush *brush, uint16_t row, uint16_t column, uint32
   }
 }
 
-/* Up to 32 pixels in one octave, within the far limit; marks those shown. */
-static void pixels(fc_brush *brush, uint16_t row, uint16_t column, uint8_t count, uint32_t p, uint32_t step) {
-  const uint32_t error = brush->facet.error, open = 2 * error, add = brush->coder.half + error;
-  const uint32_t low_bits = 2 * brush->coder.half - 1, base = (uint32_t)brush->coder.base;
-  const uint8_t shift = brush->coder.shift;
-  fc_scan *scan = brush->scan;
-  uint16_t *depth = fc_scan_depth(scan, row, column), *end = depth + count;
-  uint32_t up = p + add;
-  if (brush->plain) {
-    uint8_t *to = fc_scan_pixel(scan, row, column);
-    const uint8_t first = scan->tint.unlit[0], second = scan->tint.unlit[1];
-    do {
-      uint32_t code = (up >> shift) + base, there = *depth;
-      if ((up & low_bits) <= open || code == there) {
-        ask(brush, row, (uint16_t)(column + count - (end - depth)));
-      } else if (code > there) {
-        *depth = (uint16_t)code;
-        to[0] = first;
-        to[1] = second;
-      }
-      up += step;
-      to += 2;
-    } while (++depth != end);
-  } else {
-    uint32_t *mask = scan->mask + row * scan->words + column / 32, bit = UINT32_C(1) << (column % 32), bits = 0;
-    do {
-      uint32_t code = (up >> shift) + base, there = *depth;
-      if ((up & low_bits) <= open || code == there) {
-        ask(brush, row, (uint16_t)(column + count - (end - depth)));
-      } else if (code > there) {
-        *depth = (uint16_t)code;
-        bits |= bit;
-      }
-      up += step;
-      bit <<= 1;
-      if (bit == 0) {
-        *mask++ |= bits;
-        bits = 0;
-        bit = 1;
-      }
-    } while (++depth != end);
-    if (bits != 0) *mask |= bits;
-  }
+/* Asks for the pixel whose depth this is. */
+static void ask_at(fc_brush *brush, const uint16_t *depth) {
+  uint32_t offset = (uint32_t)(depth - fc_scan_depth(brush->scan, 0, 0)), width = brush->scan->frame->width;
+  uint16_t row = 0;
+  for (; offset >= width; offset -= width) row++;
+  ask(brush, row, (uint16_t)offset);
+}
+
+/* Codes with 16 fraction bits, half and brush->open / 2 added: the pixels between depth and end. */
+static FC_NOINLINE void paint(fc_brush *brush, uint16_t *depth, const uint16_t *end, uint8_t *to, uint32_t at, uint32_t step) {
+  const uint32_t open = brush->open;
+  const uint16_t colour = brush->colour;
+  do {
+    uint32_t code = at >> 16, there = *depth;
+    if ((at & 0xffffu) <= open || code == there) {
+      ask_at(brush, depth);
+    } else if (code > there) {
+      *depth = (uint16_t)code;
+      memcpy(FC_ALIGNED2(to), &colour, sizeof colour);
+    }
+    at += step;
+    to += 2;
+  } while (++depth != end);
+}
+
+/* The same for up to 32 pixels, as bits of those shown: 1 is the first. */
+static FC_NOINLINE uint32_t paint_mask(fc_brush *brush, uint16_t *depth, const uint16_t *end, uint32_t at, uint32_t step) {
+  const uint32_t open = brush->open;
+  uint32_t bits = 0, bit = 1;
+  do {
+    uint32_t code = at >> 16, there = *depth;
+    if ((at & 0xffffu) <= open || code == there) {
+      ask_at(brush, depth);
+    } else if (code > there) {
+      *depth = (uint16_t)code;
+      bits |= bit;
+    }
+    at += step;
+    bit <<= 1;
+  } while (++depth != end);
+  return bits;
+}
+
+/* What p and its steps become in depth codes with 16 fraction bits: floors. */
+static uint32_t code_of(const fc_coder *coder, uint32_t p) {
+  uint32_t code = coder->shift >= 16 ? p >> (coder->shift - 16) : p << (16 - coder->shift);
+  return code + ((uint32_t)coder->base << 16);
+}
+
+static uint32_t code_step(const fc_coder *coder, uint32_t step) {
+  int32_t s = fc_to_i32(step);
+  if (coder->shift > 16) return (uint32_t)fc_floor_shift32(s + (INT32_C(1) << (coder->shift - 17)), (uint8_t)(coder->shift - 16));
+  return step << (16 - coder->shift);
+}
+
+/* An error of p, and `steps` steps rounded to 1/2, doubled and rounded up. */
+static uint32_t code_open(const fc_coder *coder, uint32_t error, uint32_t steps) {
+  return 2 * (coder->shift >= 16 ? (error >> (coder->shift - 16)) + 2 : (error + 1) << (16 - coder->shift)) + steps + 2;
+}
+
+/* Sets bits of the mask from a column on. */
+static void mark(fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
+  uint32_t *mask = scan->mask + row * scan->words + column / 32;
+  uint8_t shift = column % 32;
+  mask[0] |= bits << shift;
+  if (shift != 0 && bits >> (32 - shift) != 0) mask[1] |= bits >> (32 - shift);
 }
 
 /* Pixels of a row that are inside for certain; p_row: the form at the row's first column. */
@@ -148,7 +176,13 @@ static void span(fc_brush *brush, uint16_t row, uint16_t first, uint16_t last, u
       fc_coder_follow(coder, brush->scan->frame, p);
       if (low >= coder->low && high >> 1 < coder->low && coder->base + (int32_t)(low >> coder->shift) > 1 &&
           coder->base + (int32_t)(high >> coder->shift) < UINT16_MAX - 1) {
-        pixels(brush, row, first, (uint8_t)count, p, step);
+        uint16_t *depth = fc_scan_depth(brush->scan, row, first);
+        brush->open = code_open(coder, brush->facet.error, count);
+        p = code_of(coder, p) + 0x8000u + brush->open / 2;
+        if (brush->plain)
+          paint(brush, depth, depth + count, fc_scan_pixel(brush->scan, row, first), p, code_step(coder, step));
+        else
+          mark(brush->scan, row, first, paint_mask(brush, depth, depth + count, p, code_step(coder, step)));
         first = (uint16_t)(first + count);
         continue;
       }
@@ -276,14 +310,14 @@ static void walk_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
 /* The same in 32 bits, all of it within one octave and within the far limit. */
 static void walk_small_rows(fc_brush *brush, const fc_small_facet *facet, uint16_t columns, uint16_t rows) {
   fc_scan *scan = brush->scan;
-  const fc_coder *coder = &brush->coder;
-  const uint32_t open = 2 * facet->error, low_bits = 2 * coder->half - 1, base = (uint32_t)coder->base;
-  const uint8_t shift = coder->shift;
-  uint32_t up_row = facet->p + coder->half + facet->error;
+  const uint32_t step = code_step(&brush->coder, facet->px), step_down = code_step(&brush->coder, facet->py);
+  uint32_t at_row;
   uint16_t *depth_row = fc_scan_depth(scan, 0, 0);
   uint8_t *to_row = fc_scan_pixel(scan, 0, 0);
   uint16_t row;
   fc_ends ends;
+  brush->open = code_open(&brush->coder, facet->error, (uint32_t)columns + rows);
+  at_row = code_of(&brush->coder, facet->p) + 0x8000u + brush->open / 2;
   ends_start(&ends, facet->at, facet->dx, facet->dy, columns);
   for (row = 0; row < rows; row++) {
     ends_find(&ends);
@@ -291,40 +325,17 @@ static void walk_small_rows(fc_brush *brush, const fc_small_facet *facet, uint16
       int32_t first = ends.from, last = ends.to;
       if (ends_open(&ends, facet->certain)) ask_ends(brush, &ends, facet->certain, row, &first, &last);
       if (first <= last) {
-        uint16_t *depth = depth_row + first, *end = depth_row + last;
-        uint32_t up = up_row + facet->px * (uint32_t)first;
-        const uint32_t step = facet->px;
-        if (brush->plain) {
-          uint8_t *to = to_row + 2 * first;
-          const uint8_t one = scan->tint.unlit[0], two = scan->tint.unlit[1];
-          for (; depth <= end; depth++, to += 2, up += step) {
-            uint32_t code = (up >> shift) + base, there = *depth;
-            if ((up & low_bits) <= open || code == there) {
-              ask(brush, row, (uint16_t)(depth - depth_row));
-            } else if (code > there) {
-              *depth = (uint16_t)code;
-              to[0] = one;
-              to[1] = two;
-            }
-          }
-        } else {
-          uint32_t bits = 0, bit = UINT32_C(1) << first;
-          for (; depth <= end; depth++, bit <<= 1, up += step) {
-            uint32_t code = (up >> shift) + base, there = *depth;
-            if ((up & low_bits) <= open || code == there) {
-              ask(brush, row, (uint16_t)(depth - depth_row));
-            } else if (code > there) {
-              *depth = (uint16_t)code;
-              bits |= bit;
-            }
-          }
-          scan->mask[row] |= bits;
-        }
+        uint32_t at = at_row + step * (uint32_t)first;
+        uint16_t *depth = depth_row + first, *end = depth_row + last + 1;
+        if (brush->plain)
+          paint(brush, depth, end, to_row + 2 * first, at, step);
+        else
+          scan->mask[row] |= paint_mask(brush, depth, end, at, step) << first;
       }
     }
     flank_down(&ends.left);
     flank_down(&ends.right);
-    up_row += facet->py;
+    at_row += step_down;
     depth_row += scan->frame->width;
     to_row += scan->target->pitch_bytes;
   }
@@ -550,7 +561,7 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
   fc_bin_walk walk;
   brush.scan = scan;
   brush.plain = scan->frame->light == FC_LIGHT_NONE && scan->pixel_bytes == 2 && scan->target->primitive == NULL &&
-                scan->target->lit == NULL;
+                scan->target->lit == NULL && ((uintptr_t)scan->target->pixels | scan->target->pitch_bytes) % 2 == 0;
   brush.tinted = false;
   brush.form.u.triangle.hidden = group->shapes.cull ? -1 : 0;
   scan->form = &brush.form;

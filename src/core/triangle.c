@@ -49,7 +49,7 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   int32_t eye[3] = {0, 0, 0};
   uint32_t all = 0, sure = 0;
   uint16_t i;
-  uint8_t shift;
+  uint8_t shift, pass;
   bool quick = whole_eye(view, eye);
   if (quick)
     for (i = 0; i < shapes->vertex_count; i++) {
@@ -59,21 +59,28 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
     }
   shift = (uint8_t)(32 - (all == 0 ? 32 : fc_clz32(all)));
   shift = shift > 14 ? (uint8_t)(shift - 14) : 0;
-  for (i = 0; i < shapes->vertex_count; i++) {
-    fc_vec3 v;
-    fc_num distance;
-    fc_read_vertex(shapes, i, &v);
-    if (quick) {
-      /* offsets are off by less than 1: below (a + 2) 2^shift, at least (a - 1) 2^shift, a below 2^14 */
-      uint32_t x = fc_abs32(v.x - eye[0]) >> shift, y = fc_abs32(v.y - eye[1]) >> shift, z = fc_abs32(v.z - eye[2]) >> shift;
-      if ((x + 2) * (x + 2) + (y + 2) * (y + 2) + (z + 2) * (z + 2) <= sure) continue;
-      x -= x > 0;
-      y -= y > 0;
-      z -= z > 0;
-      if (x * x + y * y + z * z > sure) sure = x * x + y * y + z * z;
+  for (pass = quick ? 0 : 1; pass < 2; pass++) {
+    for (i = 0; i < shapes->vertex_count; i++) {
+      fc_vec3 v;
+      fc_read_vertex(shapes, i, &v);
+      if (quick) {
+        /* offsets are off by less than 1: below (a + 2) 2^shift, at least (a - 1) 2^shift, a below 2^14 */
+        uint32_t x = fc_abs32(v.x - eye[0]) >> shift, y = fc_abs32(v.y - eye[1]) >> shift,
+                 z = fc_abs32(v.z - eye[2]) >> shift;
+        if (pass == 0) {
+          x -= x > 0;
+          y -= y > 0;
+          z -= z > 0;
+          if (x * x + y * y + z * z > sure) sure = x * x + y * y + z * z;
+          continue;
+        }
+        if ((x + 2) * (x + 2) + (y + 2) * (y + 2) + (z + 2) * (z + 2) < sure) continue;
+      }
+      {
+        fc_num distance = exact_distance(view, &v);
+        if (fc_num_compare(distance, most) > 0) most = distance;
+      }
     }
-    distance = exact_distance(view, &v);
-    if (fc_num_compare(distance, most) > 0) most = distance;
   }
   return most;
 }
