@@ -19,6 +19,11 @@ static fc_quick normalise(const int64_t n[3], int32_t unit[3]) {
   return inverse;
 }
 
+/* round(v / 2^shift) */
+static int32_t nearest(int64_t v, uint8_t shift) {
+  return (int32_t)fc_floor_shift64(v + (INT64_C(1) << (shift - 1)), shift);
+}
+
 /* The largest component, in steps from a tile's first pixel to its farthest. */
 static uint64_t reach_of(int64_t at, int64_t dx, int64_t dy, const fc_scan *scan) {
   /* |at| below 2^61; W is below that at the last column too, so the steps to it are below 2^62 */
@@ -50,14 +55,14 @@ static bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
   }
   i = fc_bits64(most);
   if (i < 34) return false;
-  shift = (uint8_t)(i - 30);
+  shift = (uint8_t)(i - 29); /* a bit is left for the roundings */
   for (i = 0; i < 3; i++) {
-    planar->w.at[i] = (int32_t)fc_floor_shift64(at[i], shift);
-    planar->w.dx[i] = (int32_t)fc_floor_shift64(dx[i], shift);
-    planar->w.dy[i] = (int32_t)fc_floor_shift64(dy[i], shift);
+    planar->w.at[i] = nearest(at[i], shift);
+    planar->w.dx[i] = nearest(dx[i], shift);
+    planar->w.dy[i] = nearest(dy[i], shift);
   }
-  /* each form is within 1 of its cut, and a cut normal moves W by less than 3 (2^30 2^30 + 2^30 2^30) */
-  planar->w.error = (uint32_t)scan->columns + scan->rows + 2;
+  /* each form is within 1/2 and a little of its rounding, and a cut normal moves W by less than 3 (2^30 2^30 + 2^30 2^30) */
+  planar->w.error = ((uint32_t)scan->columns + scan->rows) / 2 + 3;
   if (planar->slack != 0) planar->w.error += (UINT32_C(6) << 28 >> shift) + 1;
   factor = fc_quick_mul(fc_quick_from(fc_abs64(planar->height), (int16_t)(-32 - shift)), normalise(n, planar->unit));
   g->at = fc_quick_times(factor, nd, 0);
@@ -225,9 +230,10 @@ static FC_NOINLINE void shade_run(const fc_tint *restrict tint, cosine_row *rest
 }
 
 /*
- * The same 2^s pixels at a time, levels in between by the chord. The cosine is a unit vector's component, u.n with
- * u = W / |W|, so its second difference is at most 5 (|dW| / |W|)^2 and a chord over m columns is off by at most
- * m^2 / 8 of that: 2^-10, a fifth of a level in 255, when q >= 320 m^2 ddq (ddq is twice |dW|^2).
+ * The same 2^s pixels at a time, levels in between by the chord. The cosine is a component of the unit vector W / |W|. W
+ * moves along a line, across itself by x and along itself by y a column, relative to |W|: the unit vector then bends by
+ * sqrt(x^4 + 4 x^2 y^2) <= 1.16 (x^2 + y^2), so a chord over m columns is off by at most m^2 / 8 of that: 2^-10, a fifth of a
+ * level in 255, when q >= 80 m^2 ddq (ddq is twice |dW|^2; 75 would do where |W| is constant).
  */
 static FC_NOINLINE void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
                                      uint32_t bits, uint8_t *restrict to, uint8_t s) {
@@ -270,7 +276,7 @@ static FC_NOINLINE void shade_chords(const fc_tint *restrict tint, cosine_row *r
 
 /* The longest chords that are good enough where the forms stand: 2^s pixels; 0: none. */
 static uint8_t chord_of(const cosine_row *r) {
-  uint32_t q = r->q >> 10, least = r->ddq + (r->ddq >> 2); /* 1280 = 1024 * 5 / 4 */
+  uint32_t q = r->q >> 8, least = r->ddq + (r->ddq >> 2); /* 320 = 256 * 5 / 4 */
   return q >> 4 >= least ? 3 : q >> 2 >= least ? 2 : q >= least ? 1 : 0;
 }
 

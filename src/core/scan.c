@@ -152,26 +152,35 @@ static bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t column, int
   return fc_scan_exact(scan, row, column);
 }
 
-/* Up to 32 pixels in one octave and within the far limit; returns those shown. */
-static FC_NOINLINE uint32_t affine_word(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bit, uint8_t count,
-                            uint64_t at, uint64_t step, uint32_t error, const fc_coder *coder) {
+/* Up to 32 pixels in one octave and within the far limit, as depth codes with 16 fraction bits, half and open / 2 added;
+ * returns those shown: 1 is the first. */
+static FC_NOINLINE uint32_t affine_codes(const fc_scan *scan, uint16_t row, uint16_t column, uint8_t count, uint32_t at,
+                                         uint32_t step, uint32_t open) {
   uint16_t *depth = fc_scan_depth(scan, row, column), *end = depth + count;
-  const uint32_t add = coder->half + error, low_bits = coder->low_bits, open = 2 * error;
-  const uint32_t base = (uint32_t)coder->base;
-  const uint8_t shift = coder->shift;
-  uint32_t bits = 0;
+  uint32_t bits = 0, bit = 1;
   do {
-    uint32_t up = (uint32_t)(at >> 32) + add, code = (up >> shift) + base, there = *depth;
-    if ((up & low_bits) <= open || code == there) {
+    uint32_t code = at >> 16, there = *depth;
+    if ((at & 0xffffu) <= open || code == there) {
       if (fc_scan_exact(scan, row, (uint16_t)(column + count - (end - depth)))) bits |= bit;
     } else if (code > there) {
       *depth = (uint16_t)code;
       bits |= bit;
     }
-    bit <<= 1;
     at += step;
+    bit <<= 1;
   } while (++depth != end);
   return bits;
+}
+
+static uint32_t affine_word(const fc_scan *scan, uint16_t row, uint16_t column, uint8_t count, uint64_t at, int64_t step,
+                            uint32_t error, const fc_coder *coder) {
+  /* p / 2^shift in 2^-16; p has 32 fraction bits, of which shift + 16 are dropped */
+  const uint8_t drop = (uint8_t)(16 + coder->shift);
+  uint32_t code = (uint32_t)(at >> drop) + ((uint32_t)coder->base << 16);
+  uint32_t pace = (uint32_t)(uint64_t)fc_floor_shift64(step + (INT64_C(1) << (drop - 1)), drop);
+  /* twice: the error of p, a floor, and a half for each step's rounding */
+  uint32_t open = 2 * ((uint32_t)(((uint64_t)error << 16) >> coder->shift) + 2) + count;
+  return affine_codes(scan, row, column, count, code + 0x8000u + open / 2, pace, open);
 }
 
 enum { RUN_HIDDEN, RUN_PLAIN, RUN_MIXED };
@@ -224,7 +233,7 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
         how = affine_run(scan, at, step, chunk, gain, margin, clip, &coder);
       }
       if (how == RUN_PLAIN) {
-        bits |= affine_word(scan, row, (uint16_t)(column + done), bit, chunk, at, (uint64_t)step, error, &coder);
+        bits |= affine_word(scan, row, (uint16_t)(column + done), chunk, at, step, error, &coder) * bit;
         at += (uint64_t)step * chunk;
       } else if (how == RUN_MIXED) {
         uint8_t i;
