@@ -103,10 +103,29 @@ static int32_t furthest(int32_t a, int32_t b, uint16_t size) {
   return a > b ? a : b;
 }
 
+/* Whether a coordinate was cut before it was projected. */
+static uint8_t coarse(const fc_corners *corners, const fc_placed_mesh *mesh) {
+  uint8_t i;
+  for (i = 0; i < 3; i++)
+    if (fc_seen_exponent(corners->seen[i]) < mesh->shift) return 1;
+  return 0;
+}
+
+/* 2^-27 of the size of p at the frame's centre, or more. */
+static uint32_t at_centre(const fc_facet *facet, const fc_frame *frame, const fc_tile *tile) {
+  /* high words are floors: off by a pixel's worth of 1 a step; 31 + 13 bits */
+  int32_t columns = frame->width / 2 - tile->x0, rows = frame->height / 2 - tile->y0;
+  int64_t p = (int64_t)(facet->p >> 32) + fc_smul32(fc_high_word(fc_to_i64(facet->px)), columns) +
+              fc_smul32(fc_high_word(fc_to_i64(facet->py)), rows);
+  /* and half a pixel from the middle of the middle one */
+  uint64_t size = fc_abs64(p) + fc_abs32(columns) + fc_abs32(rows) + size_of(facet->px) + size_of(facet->py) + 2;
+  return (uint32_t)(size >> 27) + 1;
+}
+
 bool fc_facet_depth(fc_facet *facet, const fc_frame *frame, const fc_placed_mesh *mesh, const fc_corners *corners,
                     const fc_tile *box, const fc_tile *tile) {
   uint8_t i, fraction = corners->fraction, most = 0;
-  uint32_t p[3], reciprocal, steep, reach, across;
+  uint32_t p[3], reciprocal, steep, across;
   int32_t x1 = corners->x[1] - corners->x[0], x2 = corners->x[2] - corners->x[0];
   int32_t y1 = corners->y[1] - corners->y[0], y2 = corners->y[2] - corners->y[0], p1, p2, off_x, off_y;
   int64_t determinant = fc_smul32(x1, y2) - fc_smul32(x2, y1);
@@ -147,20 +166,20 @@ bool fc_facet_depth(fc_facet *facet, const fc_frame *frame, const fc_placed_mesh
     at += (uint64_t)(fc_smul64hi(fc_to_i64(facet->px), (int32_t)(((uint32_t)off_x & low) << (30 - fraction))) * 4);
     at += (uint64_t)(fc_smul64hi(fc_to_i64(facet->py), (int32_t)(((uint32_t)off_y & low) << (30 - fraction))) * 4);
   }
+  /* corners are floors: on average half a unit too far left and up */
+  at -= (uint64_t)fc_floor_shift64(fc_to_i64(facet->px + facet->py), (uint8_t)(fraction + 1));
   facet->p = at;
   /*
    * The form passes through the rounded corners; where it is off by at most e at the true ones, it is so at every point
-   * between them. Corner values are short by 2; corners are off by 2 units; what the three coordinates have in common
-   * (2^-27) moves the form by that part of its value at the frame's centre, at most p + steep * reach. Slopes have a relative
-   * error of 2^-28, over at most the box; and a step along a row is rounded, for up to 32 columns.
+   * between them. Corner values are short by 2; corners are off by 1/2 unit, 3/2 where x and y were cut; what the three
+   * coordinates have in common (2^-27) moves the form by that part of its value at the frame's centre. Slopes have a relative
+   * error of 2^-28, over the box; and a step along a row is rounded, for up to 32 columns.
    */
   steep = size_of(facet->px) + size_of(facet->py) + 2; /* a pixel */
   if (steep >> 30) return false;
-  reach = longest_side(box) + 1 +
-          (uint32_t)(furthest(box->x0, box->x1, frame->width) + furthest(box->y0, box->y1, frame->height)) / 2;
   across = (uint32_t)(tile->x1 - tile->x0) + 1;
-  facet->error = 2 + 16 + 1 + (steep >> (fraction - 2)) + (uint32_t)(fc_mul32(steep, reach) >> 27) +
-                 (across < 32 ? across : 32) / 2 + 3;
+  facet->error = 2 + 1 + 1 + (steep >> (fraction + 1 - 2 * coarse(corners, mesh))) + at_centre(facet, frame, tile) +
+                 (uint32_t)(fc_mul32(steep, longest_side(box)) >> 27) + (across < 32 ? across : 32) / 2 + 3;
   facet->least = p[0] < p[1] ? p[0] : p[1];
   if (p[2] < facet->least) facet->least = p[2];
   facet->least = facet->least > facet->error ? facet->least - facet->error : 0;
@@ -269,10 +288,10 @@ uint8_t fc_facet_small(fc_small_facet *facet, const fc_frame *frame, const fc_pl
       !short_slope(fc_smul32(p2, x1) - fc_smul32(p1, x2), reciprocal, exponent, &facet->py))
     return FC_FACET_UNCLEAR;
   facet->p = p[0] + moved(facet->px, left - corners->x[0], fraction) + moved(facet->py, top - corners->y[0], fraction);
-  /* as in fc_facet_depth; slopes are rounded to 1/2, over `side` columns and rows */
+  /* as in fc_facet_depth; slopes are rounded to 1/2, over `side` columns and rows; at the centre at most p + steep * reach */
   steep = fc_abs32(fc_to_i32(facet->px)) + fc_abs32(fc_to_i32(facet->py)) + 2;
   low -= 2 < low ? 2 : low;
-  facet->error = 2 + 16 + 1 + (steep >> (fraction - 2)) + side + 4 +
+  facet->error = 2 + 16 + 1 + (steep >> (fraction - 1)) + side + 4 +
                  fc_mulhi32(steep, (side + 1 + (uint32_t)(furthest(box->x0, box->x1, frame->width) +
                                                           furthest(box->y0, box->y1, frame->height)) / 2) << 5) + 1;
   facet->least = low > facet->error ? low - facet->error : 0;
