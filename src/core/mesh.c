@@ -178,7 +178,7 @@ void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *m
   fc_placed_vertex *vertices = (fc_placed_vertex *)(void *)(mesh + 1);
   uint16_t *next = (uint16_t *)(void *)(vertices + shapes->vertex_count), i;
   uint8_t j;
-  glance g;
+  glance g = {{0, 0, 0}, {0, 0, 0}, 0};
   set_scales(frame, mesh);
   for (j = 0; j < FC_BINS; j++) mesh->head[j] = FC_BIN_END;
   g.point = (uint8_t)(mesh->fraction - 15);
