@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "hierarchy.h"
 #include "report.h"
 
 namespace host {
@@ -42,6 +43,12 @@ std::string c_rgb(const fc_rgb &c) {
   return "{" + c_u16(c.r) + ", " + c_u16(c.g) + ", " + c_u16(c.b) + "}";
 }
 
+std::string c_item(std::uint16_t v) {
+  return c_u16(v);
+}
+std::string c_item(const fc_bvh_node &n) {
+  return "{{" + c_uint(n.axis[0]) + ", " + c_uint(n.axis[1]) + ", " + c_uint(n.axis[2]) + "}}";
+}
 std::string c_item(const fc_vec3 &v) {
   return c_vec3(v);
 }
@@ -99,6 +106,19 @@ std::string c_shapes(const std::string &name, const CoreScene &core) {
   return text + "};\n\n";
 }
 
+std::string c_bvh(const std::string &name, const CoreScene &core) {
+  if (core.bvh.empty()) return "";
+  const fc_bvh &bvh = core.bvh.front();
+  const std::size_t nodes = bvh.count == 0 ? 0 : (std::size_t{2} << bvh.depth) - 1;
+  std::string text = c_table("fc_bvh_node", name + "_nodes", "boxes of the hierarchy in cells, low | high << 16",
+                             std::vector<fc_bvh_node>(bvh.nodes, bvh.nodes + nodes));
+  text += c_table("uint16_t", name + "_order", "primitives, leaf by leaf", std::vector<std::uint16_t>(bvh.order, bvh.order + bvh.count));
+  text += "static const fc_bvh " + name + "_bvh FC_ROM = {\n  .kind = &fc_bvh_balanced,\n";
+  if (nodes > 0) text += "  .nodes = " + name + "_nodes,\n  .order = " + name + "_order,\n";
+  return text + "  .origin = " + c_vec3(bvh.origin) + ",\n  .count = " + c_u16(bvh.count) + ",\n  .shift = " +
+         std::to_string(bvh.shift) + ",\n  .depth = " + std::to_string(bvh.depth) + ",\n};\n\n";
+}
+
 /* Pointer and count of a table that may be missing. */
 std::string c_reference(const std::string &field, const std::string &count, const std::string &table,
                         bool empty) {
@@ -146,7 +166,8 @@ std::string bake(const CoreScene &core, std::size_t frame_memory_bytes, const st
   const fc_scene &scene = core.scene;
   const fc_camera &camera = core.camera;
   const std::size_t flash = bytes(core.spheres) + bytes(core.planes) + bytes(core.vertices) +
-                            bytes(core.triangles) + bytes(core.materials) + bytes(core.lights);
+                            bytes(core.triangles) + bytes(core.materials) + bytes(core.lights) +
+                            hierarchy_bytes(core);
   std::string text;
   text += "/*\n * Baked from " + printable(std::filesystem::path(source).filename().string()) +
           "; do not edit.\n *\n";
@@ -171,13 +192,15 @@ std::string bake(const CoreScene &core, std::size_t frame_memory_bytes, const st
   text += c_table("fc_light", name + "_lights",
                   "position, intensity, exponent, intensity_exponent, inverse_square", core.lights);
   text += c_shapes(name, core);
+  text += c_bvh(name, core);
   text += "const fc_scene " + name + " FC_ROM = {\n";
   text += c_reference("shapes", "shape_count", name + "_shapes", core.shapes.empty());
   text += c_reference("materials", "material_count", name + "_materials", core.materials.empty());
   text += c_reference("lights", "light_count", name + "_lights", core.lights.empty());
   text += "  .exponent = " + c_int(scene.exponent) + ",\n  .far_exponent = " + c_int(scene.far_exponent) +
           ",\n  .far_limit = " + c_int(scene.far_limit) + ",\n  .ambient = " + c_rgb(scene.ambient) +
-          ",\n  .background = " + c_rgb(scene.background) + ",\n};\n\n";
+          ",\n  .background = " + c_rgb(scene.background) + ",\n" +
+          (core.bvh.empty() ? "" : "  .bvh = &" + name + "_bvh,\n") + "};\n\n";
   text += "const fc_camera " + name + "_camera FC_ROM = {\n  .eye = " + c_vec3(camera.eye) +
           ",\n  .target = " + c_vec3(camera.target) + ",\n  .up = " + c_vec3(camera.up) +
           ",\n  .exponent = " + c_int(camera.exponent) +

@@ -42,6 +42,7 @@ void add_bake_command(CLI::App &app, Action &action) {
       ->type_name("scene.c");
   command->add_option("--name", options->name, "C name of the scene; default: the scene's file name")
       ->type_name("NAME");
+  add_bvh_option(*command, *options);
   command->callback([&action, options] { action = [options] { return run_bake(*options); }; });
 }
 

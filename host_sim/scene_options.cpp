@@ -5,6 +5,8 @@
 #include <optional>
 #include <system_error>
 
+#include "hierarchy.h"
+
 namespace host {
 namespace {
 
@@ -60,6 +62,7 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
       ->type_name("WxH");
   command.add_option("--world-scale", options.world_scale, "multiply every length of the scene by N/D")
       ->type_name("N/D");
+  add_bvh_option(command, options);
 }
 
 void add_offset_option(CLI::App &command, SceneOptions &options) {
@@ -68,6 +71,14 @@ void add_offset_option(CLI::App &command, SceneOptions &options) {
           "--offset", options.offset,
           "how shadow rays leave a surface: exact (default), residual, none or epsilon=N in world units")
       ->type_name("RULE");
+}
+
+void add_bvh_option(CLI::App &command, SceneOptions &options) {
+  command
+      .add_option("--bvh", options.bvh,
+                  "a bounding volume hierarchy: on, off or auto (default: for lit scenes of more than 16 spheres and "
+                  "triangles); it changes the time, never the picture")
+      ->type_name("CHOICE");
 }
 
 void add_json_option(CLI::App &command, SceneOptions &options) {
@@ -83,6 +94,7 @@ LoadedScene load_scene(const SceneOptions &options) {
   set_world_scale(scene.file, options.world_scale);
   set_size(scene, options.size);
   scene.core = to_core(scene.file);
+  add_hierarchy(scene.core, options.bvh);
   scene.options = to_options(options.offset, scene.core.scene);
   return scene;
 }

@@ -38,6 +38,8 @@ struct CoreScene {
   std::vector<fc_material> materials; /* no two alike */
   std::vector<fc_light> lights;
   std::vector<fc_shapes> shapes; /* spheres, planes, triangles, without the empty ones */
+  std::vector<std::uint32_t> bvh_memory;
+  std::vector<fc_bvh> bvh; /* one, or none (hierarchy.h) */
   fc_scene scene{};
   fc_camera camera{};
 };

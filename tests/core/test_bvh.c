@@ -438,7 +438,7 @@ static void test_g13_placed_primitives_are_found_outside_their_boxes(void) {
       (void)fc_view_point(&frame.view, &around, 0, middle);
       memset(&segment, 0, sizeof segment);
       for (j = 0; j < 3; j++) {
-        int64_t off = within(-2 * units - 3, 2 * units + 3), along = i % 4 == j ? within(20, 2000) : random_u64() % 2;
+        int64_t off = within(-2 * units - 3, 2 * units + 3), along = i % 4 == j ? within(20, 2000) : (int64_t)(random_u64() % 2);
         from[j] = middle[j] + off - along;
         to[j] = middle[j] + off + along;
         segment.light[j] = from[j];
