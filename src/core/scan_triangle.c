@@ -310,14 +310,14 @@ static void walk_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
 /* The same in 32 bits, all of it within one octave and within the far limit. */
 static void walk_small_rows(fc_brush *brush, const fc_small_facet *facet, uint16_t columns, uint16_t rows) {
   fc_scan *scan = brush->scan;
-  const uint32_t step = code_step(&brush->coder, facet->px), step_down = code_step(&brush->coder, facet->py);
-  uint32_t at_row;
+  const uint32_t step = code_step(&brush->coder, facet->px);
+  uint32_t p_row = facet->p, add; /* outside the triangle p may wrap: only what is inside becomes a code */
   uint16_t *depth_row = fc_scan_depth(scan, 0, 0);
   uint8_t *to_row = fc_scan_pixel(scan, 0, 0);
   uint16_t row;
   fc_ends ends;
-  brush->open = code_open(&brush->coder, facet->error, (uint32_t)columns + rows);
-  at_row = code_of(&brush->coder, facet->p) + 0x8000u + brush->open / 2;
+  brush->open = code_open(&brush->coder, facet->error, columns);
+  add = 0x8000u + brush->open / 2;
   ends_start(&ends, facet->at, facet->dx, facet->dy, columns);
   for (row = 0; row < rows; row++) {
     ends_find(&ends);
@@ -325,7 +325,7 @@ static void walk_small_rows(fc_brush *brush, const fc_small_facet *facet, uint16
       int32_t first = ends.from, last = ends.to;
       if (ends_open(&ends, facet->certain)) ask_ends(brush, &ends, facet->certain, row, &first, &last);
       if (first <= last) {
-        uint32_t at = at_row + step * (uint32_t)first;
+        uint32_t at = code_of(&brush->coder, p_row + facet->px * (uint32_t)first) + add;
         uint16_t *depth = depth_row + first, *end = depth_row + last + 1;
         if (brush->plain)
           paint(brush, depth, end, to_row + 2 * first, at, step);
@@ -335,7 +335,7 @@ static void walk_small_rows(fc_brush *brush, const fc_small_facet *facet, uint16
     }
     flank_down(&ends.left);
     flank_down(&ends.right);
-    at_row += step_down;
+    p_row += facet->py;
     depth_row += scan->frame->width;
     to_row += scan->target->pitch_bytes;
   }

@@ -168,7 +168,7 @@ void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind 
   fc_facet facet;
   shadow_form f;
   uint8_t i, j, sides, cut[3];
-  int8_t sign;
+  int8_t sign = 0;
   for (i = 0; i < 3; i++)
     for (j = 0; j < 3; j++) a[i][j] = (int32_t)(form->u.triangle.vertex[i][j] - scan->frame->lights[j]); /* 30 bits each */
   for (i = 0; i < 3; i++) {
