@@ -164,8 +164,57 @@ static bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
   return false;
 }
 
-/* Candidates for occluders, each asked to darken what it can. */
-static void cast_shadows(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners) {
+/* Where the ray through a pixel of the tile meets the plane (its normal is not cut); false when it doesn't, or too far away. */
+static bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
+  static const int64_t eye[3] = {0, 0, 0};
+  int64_t d[3], nd;
+  fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
+  fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
+  nd = fc_small_dot(planar->normal, d);
+  return nd > 0 && fc_point_at(fc_num_div(k, fc_num_from_u64((uint64_t)nd, 0)), eye, d, point);
+}
+
+/* First and last pixel of a row's mask; false when it is empty. */
+static bool row_ends(const fc_scan *scan, uint16_t row, uint16_t ends[2]) {
+  const uint32_t *mask = scan->mask + row * scan->words;
+  uint16_t first = 0, last = (uint16_t)(32 * scan->words - 1);
+  while (first < last && mask[first / 32] == 0) first = (uint16_t)(first + 32);
+  if (first > last) return false;
+  while (mask[last / 32] == 0) last = (uint16_t)(last - 32);
+  while (!(mask[first / 32] >> (first % 32) & 1)) first++;
+  while (!(mask[last / 32] >> (last % 32) & 1)) last--;
+  ends[0] = first;
+  ends[1] = last;
+  return true;
+}
+
+/* Corners around the points of the plane that a tile's mask shows: those of the mask's rectangle; where they lie beyond the
+ * horizon, the ends of its rows. Lines of pixels are lines on the plane, so hulls are hulls. Returns their number, 0 where
+ * they are too far away. */
+static FC_NOINLINE uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, int64_t points[6 * FC_SCAN_ROWS]) {
+  uint16_t row, ends[2], left = UINT16_MAX, right = 0, top = 0, bottom = 0;
+  uint8_t count = 0, i;
+  for (row = 0; row < scan->rows; row++) {
+    if (!row_ends(scan, row, ends)) continue;
+    if (left == UINT16_MAX) top = row;
+    bottom = row;
+    if (ends[0] < left) left = ends[0];
+    if (ends[1] > right) right = ends[1];
+  }
+  if (left == UINT16_MAX) return 0;
+  for (i = 0; i < 4; i++)
+    if (!foot(scan, planar, i & 1 ? top : bottom, i & 2 ? left : right, points + 3 * i)) break;
+  if (i == 4) return 4;
+  for (row = top; row <= bottom; row++) {
+    if (!row_ends(scan, row, ends)) continue;
+    for (i = 0; i < 2; i++, count++)
+      if (!foot(scan, planar, row, ends[i], points + 3 * count)) return 0;
+  }
+  return count;
+}
+
+/* Hands those who may stand between the light and the hull to cast_one. */
+static void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners) {
   fc_space space = fc_space_of_frame(scan->frame);
   caster c;
   fc_reach reach;
@@ -174,9 +223,22 @@ static void cast_shadows(fc_scan *scan, const fc_planar *planar, const int64_t *
   reach.from = scan->frame->lights;
   reach.to = hull;
   reach.corners = corners;
-  reach.radius = 0;
+  reach.radius = 1; /* corners are rounded */
   reach.limited = false;
   (void)fc_space_search(&space, corners > 0 ? &reach : NULL, cast_one, &c);
+}
+
+static FC_NOINLINE void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
+  int64_t points[6 * FC_SCAN_ROWS];
+  cast_from(scan, planar, points, find_hull(scan, planar, points));
+}
+
+/* Candidates for occluders, each asked to darken what it can. */
+static void cast_shadows(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners) {
+  if (corners == 0 && scan->frame->scene.bvh != NULL)
+    cast_from_tile(scan, planar);
+  else
+    cast_from(scan, planar, hull, corners);
 }
 
 /* What cosines need of a row: W.W / 2^30 and its differences, and the numerator. */
