@@ -117,6 +117,9 @@ struct fc_kind {
    * true when in doubt. The window is cut to the frame. */
   bool (*between)(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                   int64_t radius, fc_window *window);
+  /* Whether the form keeps a light from a point known to within `error` an axis: 1, 0; -1 when that is not enough to tell.
+   * NULL: it never is. Light and point within 2^30, error below 2^20. */
+  int8_t (*hides)(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error);
   /* Draws the items of a table (scan->at) that touch a strip of some rows. */
   void (*strip)(fc_scan *scan, uint16_t rows);
   /* The smallest box around the form; NULL for infinite ones. */

@@ -55,6 +55,16 @@ fc_quick fc_quick_mul(fc_quick a, fc_quick b) {
   return r;
 }
 
+fc_quick fc_quick_add(fc_quick a, fc_quick b) {
+  if (fc_quick_less(a, b)) {
+    fc_quick c = a;
+    a = b;
+    b = c;
+  }
+  if (b.m == 0 || a.e - b.e > 31) return a;
+  return fc_quick_from((uint64_t)a.m + (b.m >> (a.e - b.e)), a.e);
+}
+
 fc_quick fc_quick_recip(fc_quick a) {
   /* x = m / 2^32 in [1/2, 1): r = 2^31 / m16, Q15 of 1 / x, 2^-14; one more Newton step on 31 bits */
   fc_quick q;

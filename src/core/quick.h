@@ -130,6 +130,7 @@ typedef struct fc_quick {
 
 fc_quick fc_quick_from(uint64_t v, int16_t e);
 fc_quick fc_quick_mul(fc_quick a, fc_quick b);
+fc_quick fc_quick_add(fc_quick a, fc_quick b); /* relative error below 2^-30 */
 fc_quick fc_quick_rsqrt(fc_quick a);
 fc_quick fc_quick_recip(fc_quick a);
 

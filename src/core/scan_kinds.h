@@ -50,6 +50,9 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
 bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window);
 
+int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error);
+int8_t fc_plane_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error);
+
 void fc_triangle_strip(fc_scan *scan, uint16_t rows);
 void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
 bool fc_triangle_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box);

@@ -92,3 +92,16 @@ bool fc_plane_between(const fc_frame *frame, const fc_form *form, const int64_t 
   }
   return fc_ball_window(frame, foot, (radius >> 4) + 4, window);
 }
+
+int8_t fc_plane_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+  /* sides: 62 and 30 + 30 + 2 bits; an error moves them by up to |n|_1 of it, below 2^52 */
+  const int64_t *n = form->u.plane.normal;
+  int64_t lamp = form->u.plane.k - fc_small_dot(n, light), wide[3], side;
+  wide[0] = point[0];
+  wide[1] = point[1];
+  wide[2] = point[2];
+  side = form->u.plane.k - fc_small_dot(n, wide);
+  if (lamp == 0) return 0;
+  if ((int64_t)fc_abs64(side) <= fc_small_norm1(n) * (int64_t)error) return -1;
+  return (side < 0) != (lamp < 0);
+}

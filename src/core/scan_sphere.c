@@ -72,6 +72,7 @@ typedef struct ball_light {
   int32_t margin;         /* Q24: bound on the error of s from 16 bits of p */
   int32_t fine_margin;    /* ... and refined */
   uint8_t octave, octaves; /* p of fewer bits, or octaves or more above them, is left to the ray engine */
+  fc_quick depth;         /* near 2^(30 + drop) / F: over p it is t */
   uint8_t occluders;      /* MANY: more than the list holds */
   struct {
     uint16_t primitive;
@@ -166,6 +167,8 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
          (int64_t)fc_abs64(l[1] * step) / 2 * scan->rows + 1;
   unit = fc_quick_mul(inverse, fc_quick_from(scan->frame->depth_near, 0));
   unit = fc_quick_mul(unit, fc_quick_recip(fc_quick_from((uint64_t)scan->frame->view.focal, 0)));
+  light->depth = fc_quick_mul(fc_quick_from(scan->frame->depth_near, (int16_t)(30 + drop)),
+                              fc_quick_recip(fc_quick_from((uint64_t)scan->frame->view.focal, 0)));
   /* the greatest along the tile to 30 bits */
   ratio = fc_quick_mul(unit, fc_quick_from((uint64_t)most, 1));
   shift = (int16_t)(29 - (ratio.e + 32));
@@ -185,21 +188,46 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
   return LIGHT_FORMS;
 }
 
-/* Whether an occluder in the list keeps the light away. */
-static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column) {
+/* The point that a pixel with this p shows: t D with t = near 2^(30 + drop) / (p F); returns a bound of its error an axis. */
+static uint32_t point_at(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p,
+                         int32_t point[3]) {
+  fc_quick t = fc_quick_mul(fc_quick_recip(fc_quick_from(p, 0)), light->depth);
+  int64_t d[3];
+  uint32_t most = 0;
+  uint8_t i;
+  fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
+  for (i = 0; i < 3; i++) {
+    point[i] = fc_quick_times(t, d[i], 0);
+    most |= fc_abs32(point[i]);
+  }
+  /* p is good to 2^-20 (set_light), the rest to 2^-24, and the cut */
+  return (most >> 19) + 2;
+}
+
+/* Whether an occluder in the list keeps the light away from the pixel with this p. */
+static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_cursor cursor;
+  int32_t point[3];
+  uint32_t error = 0;
   uint8_t i;
   uint16_t index;
   if (light->occluders == MANY) return !fc_scan_reached(scan, row, column);
   for (i = 0; i < light->occluders; i++) {
     fc_form form;
+    const fc_kind *kind;
+    int8_t hides = -1;
     const fc_placed_window *window = &light->occluder[i].window;
     if (scan->x + column < window->x0 || scan->x + column > window->x1 || scan->y + row < window->y0 ||
         scan->y + row > window->y1 || !fc_cursor_find(&cursor, &space, light->occluder[i].primitive, &index))
       continue;
-    fc_kind_of(&cursor)->fetch(&cursor.group, index, &form);
-    if (fc_scan_blocked(scan, row, column, fc_kind_of(&cursor), &form)) return true;
+    kind = fc_kind_of(&cursor);
+    kind->fetch(&cursor.group, index, &form);
+    if (kind->hides != NULL) {
+      if (error == 0) error = point_at(scan, light, row, column, p, point);
+      hides = kind->hides(&form, scan->frame->lights, point, error);
+    }
+    if (hides > 0 || (hides < 0 && fc_scan_blocked(scan, row, column, kind, &form))) return true;
   }
   return false;
 }
@@ -276,26 +304,35 @@ static FC_NOINLINE void shade_row(const ball_light *restrict light, const fc_tin
   }
 }
 
-/* Lights the pixels of a row in `bits`, given p of each; p is used up. */
+/* Lights the pixels of a row in `bits`, given p of each and in `e` a copy that is used up. */
 static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
-                      uint32_t *p) {
+                      const uint32_t *p, uint32_t *e) {
   uint32_t open, dark, bit = 1, rest;
   uint8_t i;
-  open = facing_row(light, light->at + light->dx * column + light->dy * row, bits, p, &dark);
+  open = facing_row(light, light->at + light->dx * column + light->dy * row, bits, e, &dark);
   rest = light->occluders == 0 ? open : bits & ~dark;
   for (i = 0; rest != 0; rest >>= 1, bit <<= 1, i++) {
     uint16_t x = (uint16_t)(column + i);
     if (!(rest & 1)) continue;
     if (open & bit) {
       fc_scan_shade_slowly(scan, row, x, 1);
-    } else if (occluded(scan, light, row, x)) {
+    } else if (occluded(scan, light, row, x, p[i])) {
       dark |= bit;
     }
   }
   if (dark != 0) fc_scan_unlit(scan, row, column, dark);
   bits &= ~(dark | open);
   fc_scan_lit(scan, row, column, bits);
-  shade_row(light, &scan->tint, bits, p, fc_scan_pixel(scan, row, column), scan->pixel_bytes);
+  shade_row(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column), scan->pixel_bytes);
+}
+
+/* The same among occluders, who are asked about the points. */
+static FC_NOINLINE void light_row_among(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column,
+                                        uint32_t bits, const uint32_t *p) {
+  uint32_t e[32], rest;
+  uint8_t i;
+  for (i = 0, rest = bits; rest != 0; i++, rest >>= 1) e[i] = p[i];
+  light_row(scan, light, row, column, bits, p, e);
 }
 
 /* ---- drawing ---- */
@@ -563,8 +600,10 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
         if (how == LIGHT_FORMS) find_occluders(scan, &light);
         light_set = true;
       }
-      if (how == LIGHT_FORMS)
-        light_row(scan, &light, row, column, bits, ps);
+      if (how == LIGHT_FORMS && light.occluders != 0)
+        light_row_among(scan, &light, row, column, bits, ps);
+      else if (how == LIGHT_FORMS)
+        light_row(scan, &light, row, column, bits, ps, ps);
       else
         fc_scan_shade_slowly(scan, row, column, bits);
     }
@@ -635,6 +674,57 @@ bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t
     across = across > along ? (across - along) >> 34 : 0;
     return across * (uint64_t)(bb - other * other) <= reach * reach; /* 30 + 32 bits and 32 + 32 */
   }
+}
+
+int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+  /* Light outside. With w = P - L, c = C - L and q = |c|^2 - r^2 > 0 the line meets the sphere iff (w.c)^2 >= w.w q and w.c > 0,
+   * and it does so before P iff its foot does, w.c < w.w, or P is inside, w.w - 2 w.c + q < 0. Vectors are cut to 29 bits
+   * and sums of three products by 2^30 more, to 30. */
+  int64_t c[3], w[3], cc = 0, a = 0, ww = 0, q, e_a, e_w, e_q, difference, slack;
+  uint64_t most = (uint64_t)form->u.sphere.radius;
+  uint8_t i, shift, bits;
+  int64_t e, r;
+  for (i = 0; i < 3; i++) {
+    c[i] = form->u.sphere.center[i] - light[i];
+    w[i] = point[i] - light[i];
+    most |= fc_abs64(c[i]) | fc_abs64(w[i]);
+  }
+  bits = fc_bits64(most);
+  shift = bits > 29 ? (uint8_t)(bits - 29) : 0;
+  e = (int64_t)(error >> shift) + 2; /* of w; c's is below 1 */
+  r = form->u.sphere.radius >> shift;
+  for (i = 0; i < 3; i++) {
+    int32_t x = (int32_t)fc_floor_shift64(c[i], shift), y = (int32_t)fc_floor_shift64(w[i], shift);
+    cc += fc_smul32(x, x);
+    a += fc_smul32(x, y);
+    ww += fc_smul32(y, y);
+    c[i] = x;
+    w[i] = y;
+  }
+  /* |c|_1 and |w|_1 are below 2^30.6, e below 2^21 + 2 */
+  q = cc - fc_smul32((int32_t)r, (int32_t)r);
+  e_q = 2 * (fc_small_norm1(c) + r) + 4;
+  e_w = 2 * fc_small_norm1(w) * e + 3 * e * e;
+  e_a = fc_small_norm1(c) * e + fc_small_norm1(w) + 3 * e;
+  if (q <= e_q) return -1;
+  if (a < -e_a) return 0;
+  if (a <= e_a) return -1;
+  /* 30-bit values, off by these: products below 2^60 */
+  a >>= 30;
+  ww >>= 30;
+  q >>= 30;
+  e_a = (e_a >> 30) + 2;
+  e_w = (e_w >> 30) + 2;
+  e_q = (e_q >> 30) + 2;
+  difference = a * a - ww * q;
+  slack = 2 * a * e_a + e_a * e_a + ww * e_q + q * e_w + e_w * e_q;
+  if (difference < -slack) return 0;
+  if (a + e_a < ww - e_w) return difference > slack ? 1 : -1;
+  if (a - e_a <= ww + e_w) return -1;
+  /* the foot lies behind P: is P inside? */
+  difference = ww - 2 * a + q;
+  slack = e_w + 2 * e_a + e_q;
+  return difference > slack ? 0 : difference < -slack ? 1 : -1;
 }
 
 /* W.(C - L) over a tile, in units of 2^32: positive where the sphere lies ahead of the light, seen along W. */

@@ -2,6 +2,7 @@
 #include "bits.h"
 #include "fixcast/error.h"
 #include "kind.h"
+#include "quick.h"
 #include "scan_kinds.h"
 #include "tally.h"
 #include "view.h"
@@ -26,17 +27,45 @@ static int check(const fc_scene *scene, const fc_shapes *shapes) {
 
 static size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_sphere); }
 
+/* |offset| + radius 2^fine, within 2^-23. */
+static fc_quick quick_reach(const int64_t offset[3], uint64_t radius, uint8_t fine) {
+  fc_quick square, sum = {0, 0};
+  uint8_t i, bits = fc_vector_bits(offset), shift = bits > 30 ? (uint8_t)(bits - 30) : 0;
+  uint64_t squares = 0;
+  for (i = 0; i < 3; i++) {
+    uint64_t a = fc_abs64(offset[i]) >> shift; /* below 2^30 */
+    squares += fc_mul32((uint32_t)a, (uint32_t)a);
+  }
+  square = fc_quick_from(squares, 0);
+  if (squares != 0) sum = fc_quick_mul(square, fc_quick_rsqrt(square));
+  return fc_quick_add(fc_quick_scale(sum, (int16_t)shift), fc_quick_from(radius, (int16_t)fine));
+}
+
 static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
+  /* the reach of each to 2^-23 first; then exactly those that may be the farthest */
   fc_num most = {0, 0};
-  uint16_t i;
-  for (i = 0; i < shapes->count; i++) {
-    fc_sphere s;
-    int64_t offset[3];
-    fc_num reach;
-    read_item(shapes, i, &s);
-    fc_view_offset(view, &s.center, offset);
-    reach = fc_num_add(fc_length(offset), fc_num_from_u64((uint64_t)s.radius, view->fine));
-    if (fc_num_compare(reach, most) > 0) most = reach;
+  fc_quick farthest = {0, 0};
+  uint8_t pass;
+  for (pass = 0; pass < 2; pass++) {
+    uint16_t i;
+    for (i = 0; i < shapes->count; i++) {
+      fc_sphere s;
+      int64_t offset[3];
+      fc_quick quick;
+      read_item(shapes, i, &s);
+      fc_view_offset(view, &s.center, offset);
+      quick = quick_reach(offset, (uint64_t)s.radius, view->fine);
+      if (pass == 0) {
+        if (fc_quick_less(farthest, quick)) farthest = quick;
+      } else {
+        /* 2^-20 more is more than the values' errors */
+        quick.m = quick.m > UINT32_MAX - (quick.m >> 20) - 1 ? UINT32_MAX : quick.m + (quick.m >> 20) + 1;
+        if (!fc_quick_less(quick, farthest)) {
+          fc_num reach = fc_num_add(fc_length(offset), fc_num_from_u64((uint64_t)s.radius, view->fine));
+          if (fc_num_compare(reach, most) > 0) most = reach;
+        }
+      }
+    }
   }
   return most;
 }
@@ -367,4 +396,5 @@ static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *
 const fc_kind fc_kind_sphere FC_ROM = {
     check,    memory, extent,      place,             fetch,            prepare,        test,             blocked,         facing, normal,
     step_off, NULL,   depth_range, fc_sphere_project, fc_sphere_window, fc_sphere_draw, fc_sphere_shadow, fc_sphere_between,
+    fc_sphere_hides,
     fc_scan_each, bounds};

@@ -422,5 +422,6 @@ const fc_kind fc_kind_triangle FC_ROM = {check,
                                          NULL, /* draw: strips are drawn whole */
                                          fc_triangle_shadow,
                                          fc_triangle_between,
+                                         NULL,
                                          fc_triangle_strip,
                                          bounds};
