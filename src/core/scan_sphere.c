@@ -204,6 +204,44 @@ static uint32_t point_at(const fc_scan *scan, const ball_light *light, uint16_t 
   return (most >> 19) + 2;
 }
 
+/* A pixel whose occluders are searched for, as no list holds them. */
+typedef struct pixel_question {
+  const fc_scan *scan;
+  uint16_t row, column;
+  int32_t point[3];
+  uint32_t error;
+} pixel_question;
+
+static bool hides_pixel(void *context, const fc_cursor *at, uint16_t index) {
+  const pixel_question *q = context;
+  const fc_kind *kind = fc_kind_of(at);
+  fc_form form;
+  int8_t hides = -1;
+  if ((uint16_t)(at->group.first + index) == q->scan->primitive) return false;
+  kind->fetch(&at->group, index, &form);
+  if (kind->hides != NULL) hides = kind->hides(&form, q->scan->frame->lights, q->point, q->error);
+  return hides > 0 || (hides < 0 && fc_scan_blocked(q->scan, q->row, q->column, kind, &form));
+}
+
+static FC_NOINLINE bool occluded_by_any(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
+  fc_space space = fc_space_of_frame(scan->frame);
+  pixel_question question;
+  fc_reach reach;
+  int64_t to[3];
+  uint8_t i;
+  question.scan = scan;
+  question.row = row;
+  question.column = column;
+  question.error = point_at(scan, light, row, column, p, question.point);
+  for (i = 0; i < 3; i++) to[i] = question.point[i];
+  reach.from = scan->frame->lights;
+  reach.to = to;
+  reach.corners = 1;
+  reach.radius = question.error;
+  reach.limited = false;
+  return fc_space_search(&space, &reach, hides_pixel, &question);
+}
+
 /* Whether an occluder in the list keeps the light away from the pixel with this p. */
 static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
   fc_space space = fc_space_of_frame(scan->frame);
@@ -212,7 +250,7 @@ static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row,
   uint32_t error = 0;
   uint8_t i;
   uint16_t index;
-  if (light->occluders == MANY) return !fc_scan_reached(scan, row, column);
+  if (light->occluders == MANY) return occluded_by_any(scan, light, row, column, p);
   for (i = 0; i < light->occluders; i++) {
     fc_form form;
     const fc_kind *kind;
