@@ -50,10 +50,11 @@ static void ask(fc_brush *brush, uint16_t row, uint16_t column) {
   if (fc_scan_exact(brush->scan, row, column)) show(brush, row, column);
 }
 
-/* near / z in Q30, of the form's values. */
+/* near / z in Q30, of the form's values; false when it does not fit. */
 static bool q30_of(uint32_t p, int16_t drop, uint32_t *q) {
-  if (drop < -1 || drop > 30) return false;
-  *q = drop < 0 ? p << 1 : p >> drop; /* p below 2^31 */
+  if (drop < -12 || drop > 30) return false;
+  if (drop < 0 && p >> (32 + drop) != 0) return false;
+  *q = drop < 0 ? p << -drop : p >> drop;
   return true;
 }
 
@@ -69,8 +70,9 @@ static void careful_pixel(fc_brush *brush, uint16_t row, uint16_t column, uint32
   }
   if (brush->clip) {
     int8_t within = 0;
-    uint32_t q, e = (error << 1) + 2;
-    if (q30_of(p, brush->facet.drop, &q)) {
+    uint32_t q, e;
+    if (q30_of(p, brush->facet.drop, &q) && q30_of(error, brush->facet.drop, &e)) {
+      e += 2;
       if (q + e < frame->far_low) return;
       within = q > e && q - e > frame->far_high ? 1 : q >> 30 == 0 ? fc_scan_far(brush->scan, row, column, q, e) : 0;
     }
