@@ -155,6 +155,7 @@ static int look(uint8_t rule, unsigned long *facing, unsigned long *dark) {
     for (x = 0; x < SIZE; x++) {
       int64_t d[3];
       fc_surface surface;
+      static const uint8_t most[3] = {255, 255, 255};
       uint8_t rgb[3];
       uint32_t lit;
       uint16_t nearest;
@@ -162,7 +163,7 @@ static int look(uint8_t rule, unsigned long *facing, unsigned long *dark) {
       nearest = fc_space_nearest(&space, eye, d, 0, UINT64_MAX, NULL);
       if (nearest == FC_PRIMITIVES_MAX || !fc_surface_meet(&surface, &space, nearest, eye, d)) continue;
       fc_surface_complete(&surface);
-      fc_shade(&frame, &space, &surface, rgb, &lit);
+      fc_shade(&frame, &space, &surface, most, rgb, &lit);
       for (i = 0; i < LIGHTS; i++) {
         fc_segment segment;
         memset(&segment, 0, sizeof segment);
@@ -170,7 +171,7 @@ static int look(uint8_t rule, unsigned long *facing, unsigned long *dark) {
         segment.root = &surface.root;
         segment.origin = eye;
         segment.direction = d;
-        if (!surface.at.kind.facing(&surface.form, &surface.prepared, &segment)) continue; /* exact: no valid point */
+        if (!fc_kind_of(&surface.at)->facing(&surface.form, &surface.prepared, &segment)) continue; /* exact: no valid point */
         (*facing)++;
         *dark += (lit >> i & 1) == 0;
       }
