@@ -85,7 +85,6 @@ static void measure_depth(fc_frame *frame) {
 
 /* Which hits the far limit cuts: exactly between two bounds, and by these numbers in between (scan.h). */
 static void set_far(fc_frame *frame) {
-  const uint32_t one = UINT32_C(1) << 30;
   int64_t corner[3];
   fc_num far, ratio, scale, longest;
   if (frame->scene.far_limit == 0) return;
@@ -96,7 +95,7 @@ static void set_far(fc_frame *frame) {
   frame->far_low = (uint32_t)fc_num_round(fc_num_compare(ratio, fc_num_from_u64(1, 0)) < 0 ? ratio : fc_num_from_u64(1, 0), 30);
   if (frame->far_low > 2) frame->far_low -= 2;
   longest = fc_num_mul(longest, ratio);
-  frame->far_high = fc_num_compare(longest, fc_num_from_u64(1, 0)) < 0 ? (uint32_t)fc_num_round(longest, 30) + 2 : UINT32_MAX - 2 * one;
+  frame->far_high = fc_num_compare(longest, fc_num_from_u64(1, 0)) < 0 ? (uint32_t)fc_num_round(longest, 30) + 2 : UINT32_MAX;
   scale = fc_num_div(ratio, fc_num_from_u64((uint64_t)corner[2], 0));
   scale = fc_num_scale(fc_num_mul(scale, scale), 82);
   if (scale.m == 0 || scale.e > -31 || scale.e < -31 - 63) {

@@ -54,15 +54,17 @@ static bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
     if (reach > most) most = reach;
   }
   i = fc_bits64(most);
-  if (i < 34) return false;
+  /* units of 2^32, so that n cut to 30 bits moves W by up to 2^29: 2^-10 of 2^42 where W is least */
+  if (i < (planar->slack != 0 ? 46 : 34)) return false;
   shift = (uint8_t)(i - 29); /* a bit is left for the roundings */
   for (i = 0; i < 3; i++) {
     planar->w.at[i] = nearest(at[i], shift);
     planar->w.dx[i] = nearest(dx[i], shift);
     planar->w.dy[i] = nearest(dy[i], shift);
   }
-  /* each form is within 1/2 and a little of its rounding, and a cut normal moves W by less than 3 (2^30 2^30 + 2^30 2^30) */
+  /* each form is within 1/2 + 2^-5 of its rounding, and a cut normal moves W by less than 3 (2^30 2^29 + 2^29 2^30) */
   planar->w.error = ((uint32_t)scan->columns + scan->rows) / 2 + 3;
+  planar->w.error += planar->w.error / 16 + 1;
   if (planar->slack != 0) planar->w.error += (UINT32_C(6) << 28 >> shift) + 1;
   factor = fc_quick_mul(fc_quick_from(fc_abs64(planar->height), (int16_t)(-32 - shift)), normalise(n, planar->unit));
   g->at = fc_quick_times(factor, nd, 0);
@@ -100,7 +102,8 @@ bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const 
         to_light[i] = t[i] - scan->frame->lights[i];
       }
       q = (int16_t)(fc_vector_bits(to_light) + 1 + fc_vector_bits(n) + 1 - fc_bits64(fc_abs64(receiver->height)) + 1);
-      if (q <= 7) {
+      if (receiver->slack != 0) q++; /* the height's own, where it is more than twice that */
+      if (q <= 7 && (int64_t)fc_abs64(receiver->height) > 2 * receiver->slack) {
         (void)fc_ball_window(scan->frame, t, (radius >> 4) + (radius >> (11 - (q < 0 ? 0 : q))) + 4, doubt);
         return true;
       }
@@ -274,8 +277,8 @@ static inline uint32_t cosine_of(uint32_t q, int32_t g) {
     q <<= 2;
     down--;
   }
-  /* g below 2^(down + 16) and little more: |W.n| <= |W| */
-  c = (((uint32_t)g >> down) * fc_rsqrt_q15(q)) >> 16;
+  /* g below 2^(down + 17) sqrt(q / 2^32) and little more, as |W.n| <= |W|: the product is about 2^31 at most */
+  c = (((uint32_t)g >> (down + 1)) * fc_rsqrt_q15(q)) >> 15;
   return c > 65536 ? 65536 : c;
 }
 
@@ -293,9 +296,10 @@ static FC_NOINLINE void shade_run(const fc_tint *restrict tint, cosine_row *rest
 
 /*
  * The same 2^s pixels at a time, levels in between by the chord. The cosine is a component of the unit vector W / |W|. W
- * moves along a line, across itself by x and along itself by y a column, relative to |W|: the unit vector then bends by
- * sqrt(x^4 + 4 x^2 y^2) <= 1.16 (x^2 + y^2), so a chord over m columns is off by at most m^2 / 8 of that: 2^-10, a fifth of a
- * level in 255, when q >= 80 m^2 ddq (ddq is twice |dW|^2; 75 would do where |W| is constant).
+ * moves along a line at a distance h from 0, seen under an angle a from its nearest point: the unit vector bends by
+ * (|dW| / h)^2 cos^3 a sqrt(cos^2 a + 4 sin^2 a), at most (|dW| / h)^2 a column, and a chord over m columns is off by at most
+ * m^2 / 8 of that: 2^-8, a quarter of a level in 63, when h^2 >= 32 m^2 |dW|^2. Up to 32 columns from where the forms stand
+ * h^2 >= |W|^2 - 32^2 |dW|^2, so q >= (16 m^2 + 512) ddq is enough (ddq is twice |dW|^2): 576, 768, 1536 for m = 2, 4, 8.
  */
 static FC_NOINLINE void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
                                      uint32_t bits, uint8_t *restrict to, uint8_t s) {
@@ -332,22 +336,45 @@ static FC_NOINLINE void shade_chords(const fc_tint *restrict tint, cosine_row *r
     }
     to += 2 << s;
     bits >>= 1 << s;
-    count = count <= 1 << s ? 0 : (uint8_t)(count - (1 << s));
+    count = (uint8_t)(count <= 1 << s ? 0 : count - (1 << s));
   }
 }
 
-/* The longest chords that are good enough where the forms stand: 2^s pixels; 0: none. */
+/* The longest chords that are good enough where the forms stand: 2^s pixels; 0: none. 640, 1280 and 5120 times ddq. */
 static uint8_t chord_of(const cosine_row *r) {
   uint32_t q = r->q >> 8, least = r->ddq + (r->ddq >> 2); /* 320 = 256 * 5 / 4 */
-  return q >> 4 >= least ? 3 : q >> 2 >= least ? 2 : q >= least ? 1 : 0;
+  return q >> 4 >= least ? 3 : q >> 2 >= least ? 2 : q >> 1 >= least ? 1 : 0;
+}
+
+/* Whether an affine form is beyond +-2^27 throughout. */
+static bool beyond(int32_t at, int32_t x, int32_t y) {
+  int32_t low = at + (x < 0 ? x : 0) + (y < 0 ? y : 0), high = at + (x > 0 ? x : 0) + (y > 0 ? y : 0);
+  return low >= INT32_C(1) << 27 || high <= -(INT32_C(1) << 27);
+}
+
+/* Whether |W| is at least 2^27 in some rows, so that q is at least 2^24 and its error, 2^14, costs the cosine 2^-11 of
+ * itself: true when an axis of W or n.W, the numerator, says so. */
+static bool wide_enough(const fc_scan *scan, const fc_planar *planar, const cosine *g, uint16_t row, uint16_t rows) {
+  const fc_sheaf *w = &planar->w;
+  const int32_t right = scan->columns - 1, down = rows - 1;
+  uint8_t i;
+  for (i = 0; i < 3; i++)
+    if (beyond(w->at[i] + w->dy[i] * row, w->dx[i] * right, w->dy[i] * down)) return true;
+  return beyond(g->at + g->dy * row, g->dx * right, g->dy * down);
 }
 
 static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
   uint16_t row;
   uint8_t word;
+  const bool wide = wide_enough(scan, planar, g, 0, scan->rows);
   for (row = scan->first_row; row <= scan->last_row; row++) {
     cosine_row forms = {0, 0, 0, 0};
     uint16_t next = UINT16_MAX, column = 0; /* the column that the forms stand at */
+    if (!wide && !wide_enough(scan, planar, g, row, 1)) {
+      for (word = 0; word < scan->words; word++)
+        fc_scan_shade_slowly(scan, row, (uint16_t)(32 * word), scan->mask[row * scan->words + word]);
+      continue;
+    }
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word];
       uint16_t at = column;
@@ -386,8 +413,8 @@ static void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t norm
     planar->normal[i] = fc_floor_shift64(planar->exact[i], cut);
   }
   planar->k = cut == 0 ? fc_i128_to_i64(planar->exact_k) : fc_small_dot(planar->normal, point);
-  /* an axis of the normal is off by up to 1, of p - point by up to 2^31 */
-  planar->slack = cut == 0 ? 0 : INT64_C(3) << 31;
+  /* an axis of the normal is off by up to 1, of p - point by up to 2^31; and |n| times a radius by up to 2^31 */
+  planar->slack = cut == 0 ? 0 : INT64_C(4) << 31;
   planar->height = planar->k - fc_small_dot(planar->normal, scan->frame->lights);
 }
 

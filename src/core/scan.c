@@ -103,8 +103,8 @@ int8_t fc_scan_far(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t 
   limit = squares * frame->far_scale; /* 32 + 32 bits */
   limit >>= s;
   {
-    /* relative errors below 2^-27 in all, and 2 p error + error^2 from p */
-    uint64_t slack = (limit >> 26) + (((uint64_t)2 * p + error) * error >> 8) + 4;
+    /* relative errors below 2^-27 in all, the square cut by 1, and 2 p error + error^2 from p */
+    uint64_t slack = (limit >> 26) + ((uint64_t)frame->far_scale >> s) + (((uint64_t)2 * p + error) * error >> 8) + 4;
     if (have > limit + slack) return 1;
     if (have + slack < limit) return -1;
   }
@@ -125,6 +125,12 @@ void fc_coder_start(fc_coder *coder, const fc_frame *frame, int16_t drop, uint32
   fc_coder_follow(coder, frame, p);
 }
 
+/* Whether values from `low` on are within the far limit for certain; far_high of 1 and more says that none is. */
+static bool within_far(const fc_frame *frame, int32_t low, int32_t margin, uint8_t gain) {
+  if (low <= margin || frame->far_high >> 30 != 0) return false;
+  return (low - margin) >> (30 - gain) != 0 || (uint32_t)(low - margin) << gain > frame->far_high;
+}
+
 /* One pixel of a row that may need care: the far limit, another octave, a rounding left open. */
 static bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t column, int32_t p, uint8_t gain, uint32_t error,
                          bool clip, fc_coder *coder) {
@@ -133,11 +139,13 @@ static bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t column, int
   int32_t code = -1;
   if (p < -margin) return false;
   if (p > margin) {
-    if (clip && p < limit) {
-      uint32_t q30 = (uint32_t)p << gain;
-      int8_t within = q30 + (error << gain) < scan->frame->far_low    ? -1
-                      : q30 - (error << gain) > scan->frame->far_high ? 1
-                                                                      : fc_scan_far(scan, row, column, q30, error << gain);
+    if (clip && !within_far(scan->frame, p, margin, gain)) {
+      int8_t within = 0;
+      if (p < limit) {
+        uint32_t q30 = (uint32_t)p << gain;
+        if (q30 + (error << gain) < scan->frame->far_low) return false;
+        within = fc_scan_far(scan, row, column, q30, error << gain);
+      }
       if (within < 0) return false;
       if (within == 0) return fc_scan_exact(scan, row, column);
     }
@@ -180,13 +188,15 @@ static uint32_t affine_word(const fc_scan *scan, uint16_t row, uint16_t column, 
   uint32_t pace = (uint32_t)(uint64_t)fc_floor_shift64(step + (INT64_C(1) << (drop - 1)), drop);
   /* twice: the error of p, a floor, and a half for each step's rounding */
   uint32_t open = 2 * ((uint32_t)(((uint64_t)error << 16) >> coder->shift) + 2) + count;
-  return affine_codes(scan, row, column, count, code + 0x8000u + open / 2, pace, open);
+  code += 0x8000u + open / 2;
+  if (open > 0x8000u) open = 0xffffu; /* as fc_coder_open */
+  return affine_codes(scan, row, column, count, code, pace, open);
 }
 
 enum { RUN_HIDDEN, RUN_PLAIN, RUN_MIXED };
 
 /* What a run of pixels is: near / z is monotone, so what holds at both ends holds in between. Hidden: missed, or beyond
- * the far limit; plain: within it, in one octave, to which the coder is set. */
+ * the far limit; plain: within it, in one octave below saturation, to which the coder is set. */
 static int8_t affine_run(const fc_scan *scan, uint64_t at, int64_t step, uint8_t count, uint8_t gain, int32_t margin,
                          bool clip, fc_coder *coder) {
   int32_t a = fc_to_i32((uint32_t)(at >> 32)), b = fc_to_i32((uint32_t)((at + (uint64_t)step * (uint8_t)(count - 1)) >> 32));
@@ -194,7 +204,7 @@ static int8_t affine_run(const fc_scan *scan, uint64_t at, int64_t step, uint8_t
   if (high < -margin) return RUN_HIDDEN;
   if (clip) {
     if (high < INT32_C(1) << (30 - gain) && (uint32_t)(high + margin) << gain < scan->frame->far_low) return RUN_HIDDEN;
-    if (low <= margin || (uint32_t)(low - margin) << gain <= scan->frame->far_high) return RUN_MIXED;
+    if (!within_far(scan->frame, low, margin, gain)) return RUN_MIXED;
   }
   if (low <= margin) return RUN_MIXED;
   fc_coder_follow(coder, scan->frame, (uint32_t)high);
@@ -217,7 +227,7 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
   if (high < -margin) return;
   if (clip) {
     if (high < limit && (uint32_t)(high + margin) << gain < scan->frame->far_low) return;
-    if (low >= limit || (low > margin && (uint32_t)(low - margin) << gain > scan->frame->far_high)) clip = false;
+    if (within_far(scan->frame, low, margin, gain)) clip = false;
   }
   fc_coder_start(&coder, scan->frame, (int16_t)-gain, high > 0 ? (uint32_t)high : 1);
   while (column <= last) {

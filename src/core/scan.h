@@ -88,12 +88,18 @@ static inline void fc_coder_follow(fc_coder *coder, const fc_frame *frame, uint3
   }
 }
 
+/* p + half + error, of an octave, may round either way when its low bits are up to this. Below an octave codes are twice as
+ * fine: p at its lower end may stand for them when the error exceeds half / 2, and all are open then. */
+static inline uint32_t fc_coder_open(const fc_coder *coder, uint32_t error) {
+  return 2 * error > coder->half ? coder->low_bits : 2 * error;
+}
+
 /* The code of p (followed), or -1 when an error of `error` leaves it open. Values of 1 and more saturate. */
 static inline int32_t fc_coder_code(const fc_coder *coder, uint32_t p, uint32_t error) {
   /* p + half, cut by the shift; within 2 error of a multiple of 2^shift, so it may be either */
   uint32_t up = p + coder->half + error;
   int32_t code = coder->base + (int32_t)(up >> coder->shift);
-  if ((up & (coder->low_bits)) <= 2 * error || code <= 1) return -1;
+  if ((up & (coder->low_bits)) <= fc_coder_open(coder, error) || code <= 1) return -1;
   return code > UINT16_MAX ? UINT16_MAX : code;
 }
 

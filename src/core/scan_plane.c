@@ -10,16 +10,18 @@ void fc_plane_draw(fc_scan *scan) {
   if (placed->gain == FC_GAIN_NONE) {
     fc_scan_slowly(scan);
   } else {
-    int64_t d[3], step, v, dx, dy;
+    int64_t d[3], step, dx = 0, dy = 0;
+    uint64_t v; /* wraps past the tile */
     fc_i128 scale = fc_i128_from_u64(placed->factor);
     fc_scan_direction(scan, d, &step);
     /* near / z = (n.D) near / (k F): n.D below 2^63, the factor 32 bits */
     if (scan->form->u.plane.k < 0) scale = fc_i128_neg(scale);
-    v = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, fc_small_dot(n, d)), placed->shift));
-    dx = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, n[0] * step), placed->shift));
-    dy = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, -n[1] * step), placed->shift));
-    for (row = 0; row <= scan->last_row; row++, v += dy)
-      if (row >= scan->first_row) fc_scan_affine(scan, row, 0, (uint16_t)(scan->columns - 1), v, dx, placed->gain, 3);
+    v = (uint64_t)fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, fc_small_dot(n, d)), placed->shift));
+    /* values differ by less than 2^63; a single column or row has no step, which need not fit */
+    if (scan->columns > 1) dx = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, n[0] * step), placed->shift));
+    if (scan->rows > 1) dy = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, -n[1] * step), placed->shift));
+    for (row = 0; row <= scan->last_row; row++, v += (uint64_t)dy)
+      if (row >= scan->first_row) fc_scan_affine(scan, row, 0, (uint16_t)(scan->columns - 1), fc_to_i64(v), dx, placed->gain, 3);
   }
   fc_planar_light(scan, n, fc_i128_from(scan->form->u.plane.k), NULL, 0);
 }

@@ -71,6 +71,7 @@ typedef struct ball_light {
   int32_t away, h, sum;   /* Q24; away = s0 + h, sum = 1 + h^2 */
   int32_t margin;         /* Q24: bound on the error of s from 16 bits of p */
   int32_t fine_margin;    /* ... and refined */
+  uint8_t octave, octaves; /* p of fewer bits, or octaves or more above them, is left to the ray engine */
   uint8_t occluders;      /* MANY: more than the list holds */
   struct {
     uint16_t primitive;
@@ -123,24 +124,28 @@ static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
   (void)fc_space_search(&space, &reach, add_occluder, &list);
 }
 
-static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop) {
+/* p: near / z = p / 2^(30 + drop), off by at most `error`. */
+static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop, uint32_t error) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, l[3], at, most, center_light;
   int32_t s0;
   uint64_t square = 0;
   fc_quick near = fc_quick_from(1, 0), inverse, ratio, unit;
-  int16_t shift;
+  int16_t shift, lowest, highest;
+  uint32_t gap;
   uint8_t i;
   fc_scan_direction(scan, d, &step);
   for (i = 0; i < 3; i++) {
     l[i] = scan->frame->lights[i] - c[i];          /* below 2^31 */
     square += (uint64_t)(l[i] * l[i]);             /* below 3 * 2^62 */
   }
+  if (square == 0) return LIGHT_SLOW;
   inverse = fc_quick_rsqrt(fc_quick_from(square, 0)); /* 1 / l */
   ratio = fc_quick_mul(inverse, fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0));
-  if (square == 0 || !fc_quick_less(ratio, near)) return LIGHT_SLOW;
+  if (!fc_quick_less(ratio, near)) return LIGHT_SLOW;
   light->h = fc_quick_to_int(ratio, 24);
-  if (light->h > (INT32_C(15) << 20)) return LIGHT_SLOW; /* so close that 1 + h^2 - 2 s h nearly vanishes */
+  /* 1 + h^2 - 2 s h is cut to 2^-13.4; from (1 - h)^2 = 2^-4 on that costs the cosine 2^-10 of itself */
+  if (light->h > (INT32_C(3) << 22)) return LIGHT_SLOW;
   light->sum = (INT32_C(1) << 24) + (int32_t)(fc_smul32(light->h, light->h) >> 24);
   inverse = fc_quick_mul(inverse, fc_quick_recip(fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0))); /* 1 / (r l) */
   center_light = fc_small_dot(c, l); /* 30 + 31 bits and two: below 2^63 */
@@ -149,9 +154,12 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
   s0 = fc_quick_times(inverse, center_light, 24);
   light->away = s0 + light->h;
   light->fine_margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 24)) >> 19) + 64;
-  /* beyond 12 radii, 16 bits of p would cost a fifth of a level: all are refined */
-  light->margin = fc_abs32(s0) > UINT32_C(12) << 24 ? INT32_MAX
-                                                    : (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 24)) >> 13) + 64;
+  light->margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 24)) >> 13) + 64;
+  /* The cosine grows by (1 - s h) / (1 + h^2 - 2 s h)^(3/2) <= 1 / (1 - h)^2 times an error of s, which may cost 2^-9, half a
+   * level in 255: if 16 bits of p do not do, all are refined. */
+  gap = (uint32_t)((INT32_C(1) << 24) - light->h) >> 9;
+  if (light->fine_margin >= (int32_t)(gap * gap >> 15)) return LIGHT_SLOW;
+  if (light->margin >= (int32_t)(gap * gap >> 15)) light->margin = INT32_MAX;
   /* D below 2^30, l below 2^31: sums of three below 2^63 */
   at = fc_small_dot(d, l);
   most = (int64_t)fc_abs64(at) / 2 + (int64_t)fc_abs64(l[0] * step) / 2 * scan->columns +
@@ -165,7 +173,14 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
   light->dx = fc_quick_times(unit, l[0] * step, shift);
   light->dy = fc_quick_times(unit, -l[1] * step, shift);
   shift = (int16_t)(shift - 54 - drop);
-  if (shift < -200 || shift > 200) return LIGHT_SLOW;
+  /* p's error may cost 2^-20 of s + s0, and octave + shift is a shift of 0 .. 31 */
+  lowest = (int16_t)(20 + fc_bits64(error));
+  highest = 31;
+  if (lowest < -shift) lowest = (int16_t)-shift;
+  if (highest > 31 - shift) highest = (int16_t)(31 - shift);
+  if (lowest > highest) return LIGHT_SLOW;
+  light->octave = (uint8_t)lowest;
+  light->octaves = (uint8_t)(highest - lowest);
   light->shift = shift;
   return LIGHT_FORMS;
 }
@@ -205,18 +220,13 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
   const int32_t dx = light->dx, away = light->away;
   const uint32_t margin = (uint32_t)light->margin;
   const uint16_t shift = (uint16_t)light->shift;
+  const uint8_t lowest = light->octave, octaves = light->octaves;
   uint32_t low = UINT32_C(1) << 31, open = 0, dark = 0, bit = 1;
   uint8_t octave = 31;
   for (; bits != 0; bits >>= 1, bit <<= 1, p++, along += dx) {
     uint32_t v = *p, r;
     int32_t e;
-    uint16_t down;
     if (!(bits & 1)) continue;
-    if (v < UINT32_C(1) << 15) { /* too far for 16 bits of it, or 0: the ray engine has told the depth */
-      *p = 0;
-      open |= bit;
-      continue;
-    }
     while (v < low) {
       low >>= 1;
       octave--;
@@ -225,16 +235,14 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
       low <<= 1;
       octave++;
     }
-    r = fc_recip_q31(v >> (octave - 15));
-    down = (uint16_t)(octave + shift);
-    if (down > 31) {
-      *p = 0;
+    if ((uint8_t)(octave - lowest) > octaves) {
       open |= bit;
       continue;
     }
+    r = fc_recip_q31(v >> (octave - 15));
     /* along within 2^30, r within 2^16 */
     e = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16);
-    e = fc_floor_shift32(e, (uint8_t)down) - away;
+    e = fc_floor_shift32(e, (uint8_t)(octave + shift)) - away;
     if ((uint32_t)e + margin <= 2 * margin) {
       int32_t fine = light->fine_margin;
       e = refined(light, along, v, octave);
@@ -278,19 +286,14 @@ static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row
   for (i = 0; rest != 0; rest >>= 1, bit <<= 1, i++) {
     uint16_t x = (uint16_t)(column + i);
     if (!(rest & 1)) continue;
-    if ((open & bit) && p[i] == 0) {
+    if (open & bit) {
       fc_scan_shade_slowly(scan, row, x, 1);
-      bits &= ~bit;
-    } else if (open & bit) {
-      /* within a hair of the terminator */
-      p[i] = 0;
-      if (!fc_scan_reached(scan, row, x)) dark |= bit;
     } else if (occluded(scan, light, row, x)) {
       dark |= bit;
     }
   }
   if (dark != 0) fc_scan_unlit(scan, row, column, dark);
-  bits &= ~dark;
+  bits &= ~(dark | open);
   fc_scan_lit(scan, row, column, bits);
   shade_row(light, &scan->tint, bits, p, fc_scan_pixel(scan, row, column), scan->pixel_bytes);
 }
@@ -387,7 +390,7 @@ static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t
                                      uint32_t error, fc_coder *coder_of_tile) {
   fc_coder coder = *coder_of_tile;
   uint16_t *depth = fc_scan_depth(scan, row, column);
-  uint32_t bits = 0, bit = 1, add = coder.half + error, base = (uint32_t)coder.base;
+  uint32_t bits = 0, bit = 1, add = coder.half + error, base = (uint32_t)coder.base, open = fc_coder_open(&coder, error);
   for (; p != end; p++, depth++, bit <<= 1, column++) {
     uint32_t v = *p, up, code;
     if (v == 0) continue;
@@ -395,11 +398,12 @@ static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t
       fc_coder_follow(&coder, scan->frame, v);
       add = coder.half + error;
       base = (uint32_t)coder.base;
+      open = fc_coder_open(&coder, error);
     }
     /* codes of 1 and below, beyond the format's range, are the ray engine's; base is negative there */
     up = v + add;
     code = (up >> coder.shift) + base;
-    if ((up & coder.low_bits) <= 2 * error || code == *depth || code - 2 > UINT16_MAX - 2) {
+    if ((up & coder.low_bits) <= open || code == *depth || code - 2 > UINT16_MAX - 2) {
       if (fc_scan_exact(scan, row, column)) bits |= bit;
     } else if (code > *depth) {
       *depth = (uint16_t)code;
@@ -410,9 +414,10 @@ static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t
   return bits;
 }
 
-/* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each. */
+/* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each, and in *exact those that
+ * the ray engine alone has seen and that have no p. */
 static FC_NOINLINE uint32_t draw_word(const fc_scan *scan, const sphere_forms *ball, sphere_row *at, fc_coder *coder, uint16_t row,
-                                      uint16_t column, uint8_t count, uint32_t *ps) {
+                                      uint16_t column, uint8_t count, uint32_t *ps, uint32_t *exact_bits) {
   uint32_t *p = ps, *end = ps + count, *first = NULL, *last = ps, exact = 0;
   while (p != end) {
     int32_t high = fc_to_i32((uint32_t)(at->f >> 32));
@@ -428,8 +433,9 @@ static FC_NOINLINE uint32_t draw_word(const fc_scan *scan, const sphere_forms *b
     p = outside_run(ball, at, p, end);
   }
   if (exact != 0) exact = exact_run(scan, row, column, exact);
-  if (first == NULL) return exact;
-  return exact | test_run(scan, row, (uint16_t)(column + (first - ps)), first, last, ball->error, coder) << (first - ps);
+  *exact_bits = exact;
+  if (first == NULL) return 0;
+  return test_run(scan, row, (uint16_t)(column + (first - ps)), first, last, ball->error, coder) << (first - ps);
 }
 
 /* 2 floor(a b / 2^32) */
@@ -456,7 +462,7 @@ static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *pl
   int64_t d[3], step, unit;
   fc_sheaf sheaf;
   int16_t half;
-  uint8_t i;
+  uint8_t i, gain;
   fc_scan_direction(scan, d, &step);
   for (i = 0; i < 3; i++) {
     /* twice the direction: 30 bits */
@@ -483,11 +489,16 @@ static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *pl
     if (ball->lift < 2) ball->lift = 2;
     ball->half_lift = ball->lift / 2;
   }
-  /* sqrt(f) is at most b, and b greatest at a corner: both times 2^gain so that their sum has up to 31 bits */
+  /* One column or row has no step. */
+  if (scan->columns == 1) ball->b_dx = 0;
+  if (scan->rows == 1) *b_dy = 0;
+  /* Where f > 0 sqrt(f) is at most b, and |b| is greatest at a corner: both times 2^gain so that their sum has up to 31
+   * bits. A step is the difference of two pixels: below 2^63 after it. */
   {
-    int64_t right = ball->b_dx * scan->columns, down = *b_dy * scan->rows;
-    int64_t most = ball->b + (right > 0 ? right : 0) + (down > 0 ? down : 0);
-    uint8_t gain = (uint8_t)(fc_clz64((uint64_t)most) - 2);
+    int64_t right = ball->b_dx * (scan->columns - 1), down = *b_dy * (scan->rows - 1);
+    uint64_t low = fc_abs64(ball->b + (right < 0 ? right : 0) + (down < 0 ? down : 0));
+    uint64_t high = fc_abs64(ball->b + (right > 0 ? right : 0) + (down > 0 ? down : 0));
+    gain = (uint8_t)(fc_clz64((low > high ? low : high) | 1) - 2);
     if (gain > ball->half_lift) gain = ball->half_lift;
     ball->b *= INT64_C(1) << gain;
     ball->b_dx *= INT64_C(1) << gain;
@@ -497,12 +508,25 @@ static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *pl
     /* near / z = (b + sqrt f) 2^(31 - gain - scale / 2) factor 2^exponent */
     ball->drop = (int16_t)-(placed->exponent + 93 - half - gain);
   }
-  ball->b_step = (uint32_t)fc_high_word(ball->b_dx + (INT64_C(1) << 31));
-  /* From here on the form's own error moves sqrt(f) by less than 1. */
+  ball->b_step = (uint32_t)(((uint64_t)ball->b_dx + (UINT32_C(1) << 31)) >> 32);
   ball->outside = fc_high_word(-ball->cone.error);
-  ball->inside = fc_high_word(ball->cone.error * (ball->cone.error / 4 + 1)) + 1;
-  /* the root's error (32 before the shift), the form's, b's rounding and drift, and the factors' cuts */
-  ball->error = (32u >> ball->half_lift) + 22;
+  /*
+   * sqrt(f) is good from f = 2^(2t) on. In units of p = (b + sqrt(f)) 2^gain the form's error e costs e 2^gain / 2^t there,
+   * if e is below half of f; what the lifted f loses below its first 32 bits m costs 2^15 / sqrt(m) / 2^half_lift
+   * = 2^(31 - t - lift / 2 - half_lift). t makes both less than 32, unless that would leave out more than 2^-10 of the greatest f.
+   */
+  {
+    uint8_t bits = fc_bits64((uint64_t)ball->cone.error), root = ball->lift / 2;
+    int16_t t = (int16_t)(bits + gain - 5), most = (int16_t)(27 - root);
+    if (t < 26 - root - ball->half_lift) t = (int16_t)(26 - root - ball->half_lift);
+    if (t > most) t = most;
+    if (2 * t < bits + 1) t = (int16_t)((bits + 2) / 2);
+    ball->inside = 2 * t < 32 ? 0 : (int32_t)((INT64_C(1) << 2 * t) >> 32);
+    if (t < 16) t = 16; /* a whole word above 0 */
+    /* the root's error (32 before the shift); the two above; b's rounding and drift, and the factors' cuts */
+    ball->error = (32u >> ball->half_lift) + (uint32_t)((ball->cone.error << gain) >> t) + 22;
+    if (31 - t - root - ball->half_lift > 0) ball->error += UINT32_C(1) << (31 - t - root - ball->half_lift);
+  }
 }
 
 static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
@@ -519,21 +543,23 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   for (row = 0; row <= scan->last_row;
        row++, fc_cone_next_row(&ball.cone), ball.b = fc_to_i64((uint64_t)ball.b + (uint64_t)b_dy)) {
     sphere_row at;
-    int64_t b;
+    uint64_t b; /* wraps past the tile */
     uint16_t column;
     if (row < scan->first_row) continue;
     at.f = (uint64_t)ball.cone.f;
     at.dx = (uint64_t)ball.cone.dx;
-    b = ball.b;
+    b = (uint64_t)ball.b;
     for (column = 0; column < scan->columns; column = (uint16_t)(column + 32)) {
-      uint32_t ps[32], bits;
+      uint32_t ps[32], bits, exact;
       uint8_t count = scan->columns - column < 32 ? (uint8_t)(scan->columns - column) : 32;
-      at.b = (uint32_t)fc_high_word(b + (INT64_C(1) << 31));
-      b = fc_to_i64((uint64_t)b + (uint64_t)ball.b_dx * 32); /* past the last column it may wrap */
-      bits = draw_word(scan, &ball, &at, &coder, row, column, count, ps);
-      if (bits == 0 || !fc_scan_wants_light(scan, row, column, bits)) continue;
+      at.b = (uint32_t)((b + (UINT32_C(1) << 31)) >> 32);
+      b += (uint64_t)ball.b_dx << 5;
+      bits = draw_word(scan, &ball, &at, &coder, row, column, count, ps, &exact);
+      if ((bits | exact) == 0 || !fc_scan_wants_light(scan, row, column, bits | exact)) continue;
+      if (exact != 0) fc_scan_shade_slowly(scan, row, column, exact);
+      if (bits == 0) continue;
       if (!light_set) {
-        how = set_light(scan, &light, ball.drop);
+        how = set_light(scan, &light, ball.drop, ball.error);
         if (how == LIGHT_FORMS) find_occluders(scan, &light);
         light_set = true;
       }
@@ -675,7 +701,6 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   uint8_t i;
   int8_t everywhere;
   int64_t bulge;
-  bool wide;
   shadow_test clear;
   for (i = 0; i < 3; i++) center[i] = c[i] - scan->frame->lights[i]; /* below 2^31 */
   if (fc_i128_compare(fc_i128_dot(center, center), fc_i128_mul(radius, radius)) <= 0) {
@@ -692,10 +717,9 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   clear.doubt = doubt;
   clear.kind = kind;
   clear.form = form;
-  /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|. In narrow tiles
-   * dxx may be huge, and such chords are not asked for. */
-  bulge = fc_abs64(cone.dxx) >> 54 != 0 ? INT64_C(1) << 54 : (int64_t)fc_abs64(cone.dxx);
-  wide = scan->columns >= 32;
+  /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|; f, below 2^62,
+   * bends by 8 dxx over 8 columns */
+  bulge = scan->columns < 8 ? 0 : (int64_t)fc_abs64(cone.dxx);
   for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(&cone)) {
     uint64_t f = (uint64_t)cone.f, dx = (uint64_t)cone.dx;
     const uint64_t dxx = (uint64_t)cone.dxx;
@@ -707,16 +731,19 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
       uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
       /* 32 columns on: f + 32 dx + 496 dxx */
       uint64_t f_next = f + (dx << 5) + (dxx << 9) - (dxx << 4), dx_next = dx + (dxx << 5);
-      if (bits != 0 && (!wide || fc_to_i64(f) >= clear.lit - (bulge << 7) || fc_to_i64(f_next) >= clear.lit - (bulge << 7))) {
+      /* what lies past the tile does not fit */
+      if (bits != 0 && (word + 1 == scan->words || fc_to_i64(f) >= clear.lit - (bulge << 7) || fc_to_i64(f_next) >= clear.lit - (bulge << 7))) {
         uint8_t k;
         for (k = 0; bits != 0; k = (uint8_t)(k + 8), bits >>= 8) {
           /* 8 on: f + 8 dx + 28 dxx */
           uint64_t f8 = f + (dx << 3) + (dxx << 5) - (dxx << 2);
           uint32_t some = bits & 0xffu;
-          if (some != 0) {
+          if (some != 0 && column + k + 8 > scan->columns) {
+            darkened |= shade_some(scan, &clear, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
+          } else if (some != 0) {
             int64_t low = fc_to_i64(f) < fc_to_i64(f8) ? fc_to_i64(f) : fc_to_i64(f8), high = fc_to_i64(f) < fc_to_i64(f8) ? fc_to_i64(f8) : fc_to_i64(f);
-            if (!wide || high >= clear.lit - (bulge << 3)) {
-              if (wide && low > clear.dark + (bulge << 3) && everywhere > 0 && !clear.doubted)
+            if (high >= clear.lit - (bulge << 3)) {
+              if (low > clear.dark + (bulge << 3) && everywhere > 0 && !clear.doubted)
                 darkened |= some << k;
               else
                 darkened |= shade_some(scan, &clear, row, (uint16_t)(column + k), some, f, dx, dxx) << k;

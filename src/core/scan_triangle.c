@@ -15,6 +15,8 @@ typedef struct fc_brush {
   bool plain;   /* colours are final, two bytes each, and nothing else is wanted: pixels are written at once */
   bool clip;    /* the far limit may cut it */
   bool steep;   /* no affine depth */
+  uint8_t high;        /* tiles lie in bands of the frame, of so many rows, a power of two */
+  int32_t top, bottom; /* rows that the whole triangle may touch */
   bool tinted;  /* scan->tint is that of this material */
   uint16_t material;
   uint16_t colour; /* the unlit pixel as it lies in memory */
@@ -181,6 +183,7 @@ static void span(fc_brush *brush, uint16_t row, uint16_t first, uint16_t last, u
         uint16_t *depth = fc_scan_depth(brush->scan, row, first);
         brush->open = code_open(coder, brush->facet.error, count);
         p = code_of(coder, p) + 0x8000u + brush->open / 2;
+        if (brush->open > 0x8000u) brush->open = 0xffffu; /* codes below the octave are twice as fine: see fc_coder_open */
         if (brush->plain)
           paint(brush, depth, depth + count, fc_scan_pixel(brush->scan, row, first), p, code_step(coder, step));
         else
@@ -378,6 +381,18 @@ static void finish(fc_brush *brush) {
   if (any == 0) return;
   fetch(brush);
   set_tint(brush);
+  {
+    /* light's forms start where the triangle's band does, whichever rows of it the strip holds */
+    int32_t begin = scan->y & ~(brush->high - 1), end = scan->y | (brush->high - 1);
+    if (begin < brush->top) begin = brush->top;
+    if (end > brush->bottom) end = brush->bottom;
+    scan->first_row = (uint8_t)(scan->y - begin);
+    scan->last_row = (uint8_t)(scan->first_row + scan->rows - 1);
+    if (scan->first_row > 0)
+      memmove(scan->mask + scan->first_row * scan->words, scan->mask, sizeof scan->mask[0] * scan->rows * scan->words);
+    scan->rows = (uint8_t)(end - begin + 1);
+    scan->y = (uint16_t)begin;
+  }
   fc_face_normal(&brush->form, n);
   fc_planar_light(scan, n, fc_i128_dot(n, brush->form.u.triangle.vertex[0]), brush->form.u.triangle.vertex[0], 3);
 }
@@ -397,13 +412,17 @@ static void aim(fc_brush *brush, const fc_tile *tile) {
   for (i = 0; i < scan->rows * scan->words; i++) scan->mask[i] = 0;
 }
 
-/* The largest tile at (x, y) that the masks hold. */
-static void next_tile(const fc_brush *brush, const fc_tile *box, int32_t x, int32_t y, fc_tile *tile) {
+/* The largest tile at (x, y) that a band and the masks hold. */
+static void next_tile(fc_brush *brush, const fc_tile *box, int32_t x, int32_t y, fc_tile *tile) {
   int32_t rows = box->y1 - y + 1, columns = box->x1 - x + 1;
   if (!brush->plain) {
-    int32_t high = FC_SCAN_ROWS;
-    if (columns > FC_SCAN_WORDS * 32) columns = FC_SCAN_WORDS * 32;
-    while (high * ((columns + 31) / 32) > FC_SCAN_WORDS) high /= 2;
+    /* as high as the widest of the row of tiles may be */
+    int32_t high = FC_SCAN_ROWS, widest = box->x1 - box->x0 + 1;
+    if (widest > FC_SCAN_WORDS * 32) widest = FC_SCAN_WORDS * 32;
+    if (columns > widest) columns = widest;
+    while (high * ((widest + 31) / 32) > FC_SCAN_WORDS) high /= 2;
+    brush->high = (uint8_t)high;
+    high -= y & (high - 1);
     if (rows > high) rows = high;
   }
   tile->x0 = x;
@@ -442,6 +461,7 @@ static bool draw_small(fc_brush *brush, const fc_placed_mesh *mesh, const fc_cor
     return false;
   brush->facet.error = facet.error;
   brush->steep = brush->clip = false;
+  brush->high = FC_SCAN_ROWS;
   aim(brush, tile);
   walk_small_rows(brush, &facet, brush->scan->columns, rows);
   if (!brush->plain) finish(brush);
@@ -538,12 +558,14 @@ static void draw_item(fc_brush *brush, const fc_placed_mesh *mesh, const fc_tria
     seen.y0 = box.y0 > scan->strip ? box.y0 : scan->strip;
     seen.y1 = box.y1 < last ? box.y1 : last;
     if (seen.y0 > seen.y1) return;
+    brush->top = box.y0 > 0 ? box.y0 : 0;
+    brush->bottom = box.y1 < frame->height - 1 ? box.y1 : frame->height - 1;
     for (i = 0; i < 3; i++) corners.x[i] = place(vertices[item->vertex[i]].p[0], up[i], mantissa[i]);
     bounds(corners.x, mesh->fraction, frame->width, &box.x0, &box.x1);
     seen.x0 = box.x0 > 0 ? box.x0 : 0;
     seen.x1 = box.x1 < frame->width - 1 ? box.x1 : frame->width - 1;
     if (seen.x0 > seen.x1) return;
-    if (box.x1 - box.x0 < FC_SMALL && box.y1 - box.y0 < FC_SMALL && (brush->plain || seen.y1 - seen.y0 < FC_SCAN_ROWS) &&
+    if (box.x1 - box.x0 < FC_SMALL && box.y1 - box.y0 < FC_SMALL && (brush->plain || (seen.y0 ^ seen.y1) < FC_SCAN_ROWS) &&
         draw_small(brush, mesh, &corners, &box, &seen))
       return;
     if (draw_projected(brush, mesh, &corners, &box, &seen)) return;
@@ -552,6 +574,8 @@ static void draw_item(fc_brush *brush, const fc_placed_mesh *mesh, const fc_tria
     seen.x1 = frame->width - 1;
     seen.y0 = scan->strip;
     seen.y1 = last;
+    brush->top = 0;
+    brush->bottom = frame->height - 1;
   }
   draw_exactly(brush, &seen);
 }

@@ -201,6 +201,8 @@ static void ball_span(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z,
   fc_quick root = fc_quick_from((uint64_t)(a * a + square), 0), scale;
   uint8_t i;
   reach[0] = (int64_t)fc_quick_to_u64(fc_quick_mul(fc_quick_mul(root, fc_quick_rsqrt(root)), fc_quick_from((uint64_t)r, 0)));
+  /* the product's error, and its floor: where the eye is close to the ball the difference below all but vanishes */
+  reach[0] += (reach[0] >> 22) + 2;
   reach[1] = across + reach[0];
   reach[0] = across - reach[0];
   scale = fc_quick_mul(fc_quick_recip(fc_quick_from((uint64_t)square, 0)),
