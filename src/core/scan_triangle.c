@@ -323,6 +323,7 @@ static void walk_small_rows(fc_brush *brush, const fc_small_facet *facet, uint16
   fc_ends ends;
   brush->open = code_open(&brush->coder, facet->error, columns);
   add = 0x8000u + brush->open / 2;
+  if (brush->open > 0x8000u) brush->open = 0xffffu;
   ends_start(&ends, facet->at, facet->dx, facet->dy, columns);
   for (row = 0; row < rows; row++) {
     ends_find(&ends);
