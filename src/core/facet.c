@@ -377,19 +377,20 @@ bool fc_facet_exact(fc_facet *facet, const fc_frame *frame, const fc_prepared *p
 }
 
 void fc_facet_cut(int32_t at, int32_t dx, int32_t bound, uint16_t columns, int32_t *first, int32_t *last) {
-  int32_t bit, x = -1;
+  int32_t bit, top = 1, x = -1;
   if (dx == 0) {
     if (at < bound) *first = columns;
     return;
   }
+  while (top <= columns / 2) top *= 2;
   if (dx > 0) {
     /* x: the last column below the bound */
-    for (bit = 4096; bit > 0; bit >>= 1)
+    for (bit = top; bit > 0; bit >>= 1)
       if (x + bit < columns && at + dx * (x + bit) < bound) x += bit;
     if (x + 1 > *first) *first = x + 1;
   } else {
     /* x: the last column not below it */
-    for (bit = 4096; bit > 0; bit >>= 1)
+    for (bit = top; bit > 0; bit >>= 1)
       if (x + bit < columns && at + dx * (x + bit) >= bound) x += bit;
     if (x < *last) *last = x;
   }

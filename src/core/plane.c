@@ -189,4 +189,4 @@ static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *
 const fc_kind fc_kind_plane FC_ROM = {
     check,    memory, extent,      place,            fetch,           prepare,       test,            blocked,        facing, normal,
     step_off, NULL,   depth_range, fc_plane_project, fc_plane_window, fc_plane_draw, fc_plane_shadow, fc_plane_between,
-    fc_scan_each, NULL};
+    fc_scan_each, NULL, NULL};

@@ -367,4 +367,4 @@ static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *
 const fc_kind fc_kind_sphere FC_ROM = {
     check,    memory, extent,      place,             fetch,            prepare,        test,             blocked,         facing, normal,
     step_off, NULL,   depth_range, fc_sphere_project, fc_sphere_window, fc_sphere_draw, fc_sphere_shadow, fc_sphere_between,
-    fc_scan_each, bounds};
+    fc_scan_each, bounds, NULL};

@@ -423,4 +423,5 @@ const fc_kind fc_kind_triangle FC_ROM = {check,
                                          fc_triangle_shadow,
                                          fc_triangle_between,
                                          fc_triangle_strip,
-                                         bounds};
+                                         bounds,
+                                         fc_triangle_casts};
