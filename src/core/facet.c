@@ -129,33 +129,37 @@ bool fc_facet_depth(fc_facet *facet, const fc_frame *frame, const fc_placed_mesh
   int32_t x1 = corners->x[1] - corners->x[0], x2 = corners->x[2] - corners->x[0];
   int32_t y1 = corners->y[1] - corners->y[0], y2 = corners->y[2] - corners->y[0], p1, p2, off_x, off_y;
   int64_t determinant = fc_smul32(x1, y2) - fc_smul32(x2, y1);
+  int32_t m;
+  uint8_t cut;
   int16_t exponent;
   uint64_t at;
   for (i = 0; i < 3; i++) {
     uint8_t e = fc_seen_exponent(corners->seen[i]);
     if (e > most) most = e;
   }
-  for (i = 0; i < 3; i++) {
-    /* below 2^31; short by less than 2 */
-    p[i] = fc_mulhi32(fc_seen_mantissa(corners->seen[i]), mesh->depth) >> (1 + most - fc_seen_exponent(corners->seen[i]));
-  }
-  facet->drop = (int16_t)(mesh->depth_down + mesh->focal_down - most - 32);
-  p1 = (int32_t)p[1] - (int32_t)p[0];
-  p2 = (int32_t)p[2] - (int32_t)p[0];
   /* 1 / determinant = reciprocal 2^(-63 - exponent) */
-  {
-    int32_t m = mantissa_of(determinant, &exponent);
-    reciprocal = fc_recip_q63(fc_abs32(m) << 1);
-    exponent = (int16_t)(-exponent + 1 - 63 + fraction + 32);
+  m = mantissa_of(determinant, &exponent);
+  reciprocal = fc_recip_q63(fc_abs32(m) << 1);
+  exponent = (int16_t)(-exponent + 1 - 63 + fraction + 32);
+  for (cut = 0;; cut = (uint8_t)(cut + 4)) {
+    for (i = 0; i < 3; i++) {
+      /* below 2^31; short by less than 2 */
+      p[i] = fc_mulhi32(fc_seen_mantissa(corners->seen[i]), mesh->depth) >> (1 + most - fc_seen_exponent(corners->seen[i]));
+      p[i] >>= cut;
+    }
+    facet->drop = (int16_t)(mesh->depth_down + mesh->focal_down - most - 32 - cut);
+    p1 = (int32_t)p[1] - (int32_t)p[0];
+    p2 = (int32_t)p[2] - (int32_t)p[0];
     if (m < 0) {
       p1 = -p1;
       p2 = -p2;
     }
+    /* Through the three corners: 31 + 31 bits, two products. Flat triangles seen from afar are steep: four bits less then. */
+    if (slope(fc_smul32(p1, y2) - fc_smul32(p2, y1), reciprocal, exponent, &facet->px) &&
+        slope(fc_smul32(p2, x1) - fc_smul32(p1, x2), reciprocal, exponent, &facet->py))
+      break;
+    if (cut == 8) return false;
   }
-  /* Through the three corners: 31 + 31 bits, two products. */
-  if (!slope(fc_smul32(p1, y2) - fc_smul32(p2, y1), reciprocal, exponent, &facet->px) ||
-      !slope(fc_smul32(p2, x1) - fc_smul32(p1, x2), reciprocal, exponent, &facet->py))
-    return false;
   /* from the first corner to the tile's first pixel, in units of 2^-fraction */
   off_x = (2 * tile->x0 + 1 - frame->width) * (INT32_C(1) << (fraction - 1)) - corners->x[0];
   off_y = (2 * tile->y0 + 1 - frame->height) * (INT32_C(1) << (fraction - 1)) - corners->y[0];
@@ -373,19 +377,20 @@ bool fc_facet_exact(fc_facet *facet, const fc_frame *frame, const fc_prepared *p
 }
 
 void fc_facet_cut(int32_t at, int32_t dx, int32_t bound, uint16_t columns, int32_t *first, int32_t *last) {
-  int32_t bit, x = -1;
+  int32_t bit, top = 1, x = -1;
   if (dx == 0) {
     if (at < bound) *first = columns;
     return;
   }
+  while (top <= columns / 2) top *= 2;
   if (dx > 0) {
     /* x: the last column below the bound */
-    for (bit = 4096; bit > 0; bit >>= 1)
+    for (bit = top; bit > 0; bit >>= 1)
       if (x + bit < columns && at + dx * (x + bit) < bound) x += bit;
     if (x + 1 > *first) *first = x + 1;
   } else {
     /* x: the last column not below it */
-    for (bit = 4096; bit > 0; bit >>= 1)
+    for (bit = top; bit > 0; bit >>= 1)
       if (x + bit < columns && at + dx * (x + bit) >= bound) x += bit;
     if (x < *last) *last = x;
   }

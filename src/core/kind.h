@@ -124,6 +124,8 @@ struct fc_kind {
   void (*strip)(fc_scan *scan, uint16_t rows);
   /* The smallest box around the form; NULL for infinite ones. */
   void (*bounds)(const fc_form *form, int64_t low[3], int64_t high[3]);
+  /* Whether an item may keep the frame's only light from anything; NULL: all may. */
+  bool (*casts)(const fc_group *group, uint16_t index);
 };
 
 #endif

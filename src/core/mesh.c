@@ -2,6 +2,7 @@
 #include "mesh.h"
 
 #include "num.h"
+#include "scan.h"
 #include "scan_kinds.h"
 #include "view.h"
 
@@ -31,7 +32,7 @@ uint32_t fc_recip_q63(uint32_t m) {
 
 size_t fc_mesh_memory(const fc_shapes *shapes) {
   size_t bytes = sizeof(fc_placed_mesh) + (size_t)shapes->vertex_count * sizeof(fc_placed_vertex) +
-                 (size_t)shapes->count * sizeof(uint16_t);
+                 (size_t)shapes->count * sizeof(uint16_t) + ((size_t)shapes->count + 7) / 8;
   return (bytes + 7) / 8 * 8;
 }
 
@@ -173,6 +174,25 @@ static bool rows_of(const glance *g, uint32_t a, uint32_t b, uint32_t c, uint8_t
   return pixels_of(&g->y, g->point, top, bottom) && pixels_of(&g->x, g->point, &left, &right);
 }
 
+bool fc_triangle_casts(const fc_group *group, uint16_t index) {
+  return fc_mesh_casts(group->memory, &group->shapes)[index / 8] >> (index % 8) & 1;
+}
+
+/* Who casts shadows: of a closed mesh, the triangles that turn away from the light. */
+static void set_casts(const fc_frame *frame, const fc_shapes *shapes, const fc_placed_vertex *vertices, uint8_t *casts) {
+  uint16_t i;
+  for (i = 0; i < shapes->count; i++) {
+    bool may = true;
+    if (i % 8 == 0) casts[i / 8] = 0;
+    if (shapes->cull) {
+      fc_triangle t;
+      fc_read_triangle(shapes, i, &t);
+      may = fc_triangle_averted(vertices[t.vertex[0]].p, vertices[t.vertex[1]].p, vertices[t.vertex[2]].p, frame->lights);
+    }
+    if (may) casts[i / 8] = (uint8_t)(casts[i / 8] | 1u << (i % 8));
+  }
+}
+
 void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
   fc_placed_mesh *mesh = memory;
   fc_placed_vertex *vertices = (fc_placed_vertex *)(void *)(mesh + 1);
@@ -216,6 +236,7 @@ void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *m
     *head = i;
   }
   for (i = 0; i < shapes->vertex_count; i++) see_fully(mesh, &vertices[i]);
+  if (frame->light == FC_LIGHT_ONE) set_casts(frame, shapes, vertices, (uint8_t *)(void *)(next + shapes->count));
 }
 
 void fc_bin_start(fc_bin_walk *walk, const fc_group *group, uint16_t y0, uint16_t y1) {

@@ -69,6 +69,11 @@ static inline const uint16_t *fc_mesh_next(const fc_placed_mesh *mesh, const fc_
   return (const uint16_t *)(const void *)(fc_mesh_vertices(mesh) + shapes->vertex_count);
 }
 
+/* A bit a triangle: it may cast shadows. */
+static inline const uint8_t *fc_mesh_casts(const fc_placed_mesh *mesh, const fc_shapes *shapes) {
+  return (const uint8_t *)(const void *)(fc_mesh_next(mesh, shapes) + shapes->count);
+}
+
 static inline uint8_t fc_mesh_level(uint8_t level) { return (uint8_t)(64 - (64 >> level)); }
 
 /* Mantissa and exponent of a vertex's `seen`. */

@@ -162,6 +162,7 @@ static bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
   const caster *c = context;
   fc_form form;
   if ((uint16_t)(at->group.first + index) == c->scan->primitive) return false;
+  if (fc_kind_of(at)->casts != NULL && !fc_kind_of(at)->casts(&at->group, index)) return false;
   fc_kind_of(at)->fetch(&at->group, index, &form);
   fc_kind_of(at)->shadow(c->scan, c->planar, fc_kind_of(at), &form);
   return false;

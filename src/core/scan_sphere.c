@@ -176,10 +176,11 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
   light->dx = fc_quick_times(unit, l[0] * step, shift);
   light->dy = fc_quick_times(unit, -l[1] * step, shift);
   shift = (int16_t)(shift - 54 - drop);
-  /* p's error may cost 2^-20 of s + s0, and octave + shift is a shift of 0 .. 31 */
+  /* p's error may cost 2^-20 of s + s0, and octave + shift is a shift of -8 .. 31; a floor before the former is 2^-16, below
+   * the margins where s0 is that large */
   lowest = (int16_t)(20 + fc_bits64(error));
   highest = 31;
-  if (lowest < -shift) lowest = (int16_t)-shift;
+  if (lowest < -shift - 8) lowest = (int16_t)(-shift - 8);
   if (highest > 31 - shift) highest = (int16_t)(31 - shift);
   if (lowest > highest) return LIGHT_SLOW;
   light->octave = (uint8_t)lowest;
@@ -270,6 +271,11 @@ static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row,
   return false;
 }
 
+/* v / 2^down, floored, for down from -8: what is scaled up is below 2^30 after it. */
+static inline int32_t scaled_back(int32_t v, int16_t down) {
+  return down >= 0 ? fc_floor_shift32(v, (uint8_t)down) : v * (INT32_C(1) << -down);
+}
+
 /* s - h of a pixel, refined. */
 static FC_NOINLINE int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
   uint32_t r = fc_recip_q31(p >> (octave - 15));
@@ -277,7 +283,7 @@ static FC_NOINLINE int32_t refined(const ball_light *light, int32_t along, uint3
   /* times 1 + rest with rest = 1 - x r, below 2^-13 */
   int32_t rest = (INT32_C(1) << 30) - (int32_t)fc_mulhi32(p << (31 - octave), r << 15);
   s += fc_floor_shift32(fc_floor_shift32(s, 17) * rest, 13);
-  return fc_floor_shift32(s, (uint8_t)(octave + light->shift)) - light->away;
+  return scaled_back(s, (int16_t)(octave + light->shift)) - light->away;
 }
 
 /* Turns p of the pixels in `bits` into s - h in Q24; returns those that are within the margin, or out of reach, and in
@@ -285,7 +291,7 @@ static FC_NOINLINE int32_t refined(const ball_light *light, int32_t along, uint3
 static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *p, uint32_t *averted) {
   const int32_t dx = light->dx, away = light->away;
   const uint32_t margin = (uint32_t)light->margin;
-  const uint16_t shift = (uint16_t)light->shift;
+  const int16_t shift = light->shift;
   const uint8_t lowest = light->octave, octaves = light->octaves;
   uint32_t low = UINT32_C(1) << 31, open = 0, dark = 0, bit = 1;
   uint8_t octave = 31;
@@ -308,7 +314,7 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
     r = fc_recip_q31(v >> (octave - 15));
     /* along within 2^30, r within 2^16 */
     e = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16);
-    e = fc_floor_shift32(e, (uint8_t)(octave + shift)) - away;
+    e = scaled_back(e, (int16_t)(octave + shift)) - away;
     if ((uint32_t)e + margin <= 2 * margin) {
       int32_t fine = light->fine_margin;
       e = refined(light, along, v, octave);

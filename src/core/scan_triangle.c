@@ -52,10 +52,11 @@ static void ask(fc_brush *brush, uint16_t row, uint16_t column) {
   if (fc_scan_exact(brush->scan, row, column)) show(brush, row, column);
 }
 
-/* near / z in Q30, of the form's values. */
+/* near / z in Q30, of the form's values; false when it does not fit. */
 static bool q30_of(uint32_t p, int16_t drop, uint32_t *q) {
-  if (drop < -1 || drop > 30) return false;
-  *q = drop < 0 ? p << 1 : p >> drop; /* p below 2^31 */
+  if (drop < -12 || drop > 30) return false;
+  if (drop < 0 && p >> (32 + drop) != 0) return false;
+  *q = drop < 0 ? p << -drop : p >> drop;
   return true;
 }
 
@@ -71,8 +72,9 @@ static void careful_pixel(fc_brush *brush, uint16_t row, uint16_t column, uint32
   }
   if (brush->clip) {
     int8_t within = 0;
-    uint32_t q, e = (error << 1) + 2;
-    if (q30_of(p, brush->facet.drop, &q)) {
+    uint32_t q, e;
+    if (q30_of(p, brush->facet.drop, &q) && q30_of(error, brush->facet.drop, &e)) {
+      e += 2;
       if (q + e < frame->far_low) return;
       within = q > e && q - e > frame->far_high ? 1 : q >> 30 == 0 ? fc_scan_far(brush->scan, row, column, q, e) : 0;
     }
@@ -321,6 +323,7 @@ static void walk_small_rows(fc_brush *brush, const fc_small_facet *facet, uint16
   fc_ends ends;
   brush->open = code_open(&brush->coder, facet->error, columns);
   add = 0x8000u + brush->open / 2;
+  if (brush->open > 0x8000u) brush->open = 0xffffu;
   ends_start(&ends, facet->at, facet->dx, facet->dy, columns);
   for (row = 0; row < rows; row++) {
     ends_find(&ends);

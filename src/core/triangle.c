@@ -424,4 +424,5 @@ const fc_kind fc_kind_triangle FC_ROM = {check,
                                          fc_triangle_between,
                                          NULL,
                                          fc_triangle_strip,
-                                         bounds};
+                                         bounds,
+                                         fc_triangle_casts};

@@ -47,20 +47,40 @@ static void set_form(const fc_sheaf *w, const int32_t n[3], int8_t sign, uint32_
   form->error = norm1(n) * w->error + ((INT64_C(3) << 30) + 3 * (int64_t)w->error) * off;
 }
 
-/* The form within 2^29 over the tile, and its error there; false when it is below 0 everywhere. */
-static bool fit(const fc_scan *scan, const shadow_form *form, int32_t *at, int32_t *dx, int32_t *dy, int64_t *margin) {
-  int64_t right = form->dx * (scan->columns - 1), down = form->dy * (scan->rows - 1);
-  int64_t most = form->at + form->error + (right > 0 ? right : 0) + (down > 0 ? down : 0);
-  uint8_t shift;
-  if (most < 0) return false;
-  /* one column and row beyond, where steps end */
-  shift = fc_bits64(fc_abs64(form->at) + fc_abs64(right) + fc_abs64(form->dx) + fc_abs64(down) + fc_abs64(form->dy));
-  shift = shift > 28 ? (uint8_t)(shift - 28) : 0;
-  *at = (int32_t)fc_floor_shift64(form->at, shift);
-  *dx = (int32_t)fc_floor_shift64(form->dx, shift);
-  *dy = (int32_t)fc_floor_shift64(form->dy, shift);
+/* floor(v / 2^s), s below 63, where it fits 32 bits. */
+static int32_t cut_down(int64_t v, uint8_t s) {
+  uint32_t high = (uint32_t)((uint64_t)v >> 32);
+  if (s >= 32) return fc_floor_shift32(fc_to_i32(high), (uint8_t)(s - 32));
+  return s == 0 ? fc_to_i32((uint32_t)v) : fc_to_i32(high << (32 - s) | (uint32_t)v >> s);
+}
+
+/* The form within 2^29 over the tile, moved up by its error there; false when it is below 0 everywhere. `certain` grows to the
+ * bound from which it is above 0 for certain. */
+static bool fit(const fc_scan *scan, const shadow_form *form, int32_t *at, int32_t *dx, int32_t *dy, int32_t *certain) {
+  /* one column and row beyond, where steps end; each of the three below 2^27, their sum below 2^29 */
+  uint8_t shift = fc_bits64(fc_abs64(form->at)), b = (uint8_t)(fc_bits64(fc_abs64(form->dx)) + fc_bits64(scan->columns));
+  int32_t most, right, down;
+  int64_t margin;
+  if (b > shift) shift = b;
+  b = (uint8_t)(fc_bits64(fc_abs64(form->dy)) + fc_bits64(scan->rows));
+  if (b > shift) shift = b;
+  shift = shift > 27 ? (uint8_t)(shift - 27) : 0;
   /* and a floor a step */
-  *margin = fc_floor_shift64(form->error, shift) + 3 + scan->columns + scan->rows;
+  margin = fc_floor_shift64(form->error, shift) + 3 + scan->columns + scan->rows;
+  if (margin >= INT64_C(1) << 28) {
+    /* it tells nothing */
+    *at = *dx = *dy = 0;
+    *certain = INT32_MAX;
+    return true;
+  }
+  *at = cut_down(form->at, shift) + (int32_t)margin;
+  *dx = cut_down(form->dx, shift);
+  *dy = cut_down(form->dy, shift);
+  right = *dx * (scan->columns - 1);
+  down = *dy * (scan->rows - 1);
+  most = *at + (right > 0 ? right : 0) + (down > 0 ? down : 0);
+  if (most < 0) return false;
+  if (2 * (int32_t)margin + 1 > *certain) *certain = 2 * (int32_t)margin + 1;
   return true;
 }
 
@@ -96,18 +116,21 @@ static void ask(fc_scan *scan, uint16_t row, int32_t column, const fc_kind *kind
 static void cast(fc_scan *scan, const fc_facet *facet, const int32_t more[3], uint8_t count, const fc_kind *kind,
                  const fc_form *form) {
   /* the fourth form: at, dx, dy */
-  int32_t at[4], dx[4], dy[4];
+  int32_t at[4], dx[4], dy[4], rise[4];
   uint16_t row;
   uint8_t i;
   for (i = 0; i < 4; i++) {
     at[i] = i < 3 ? facet->at[i] : more[0];
     dx[i] = i < 3 ? facet->dx[i] : more[1];
     dy[i] = i < 3 ? facet->dy[i] : more[2];
+    rise[i] = dx[i] > 0 ? dx[i] * (scan->columns - 1) : 0; /* to the row's greatest value */
   }
+  if (count < 4) at[3] = dy[3] = rise[3] = 0;
   for (row = 0; row <= scan->last_row; row++) {
     int32_t first = 0, last = scan->columns - 1, inner_first, inner_last;
     uint32_t any = 0;
-    if (row >= scan->first_row)
+    if (row >= scan->first_row &&
+        ((at[0] + rise[0]) | (at[1] + rise[1]) | (at[2] + rise[2]) | (at[3] + rise[3])) >= 0)
       for (i = 0; i < scan->words; i++) any |= scan->mask[row * scan->words + i];
     if (any != 0) {
       for (i = 0; i < count; i++) fc_facet_cut(at[i], dx[i], 0, scan->columns, &first, &last);
@@ -162,13 +185,30 @@ static bool set_passed(const fc_planar *receiver, const int32_t a[3][3], int8_t 
   return true;
 }
 
+bool fc_triangle_averted(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int64_t light[3]) {
+  int32_t v[3][3], n[3];
+  int64_t wide[3], volume;
+  uint8_t j, cut;
+  for (j = 0; j < 3; j++) { /* 30 bits each */
+    v[0][j] = (int32_t)(a[j] - light[j]);
+    v[1][j] = (int32_t)(b[j] - light[j]);
+    v[2][j] = (int32_t)(c[j] - light[j]);
+  }
+  cross(v[0], v[1], wide);
+  cut = shrink(wide, n) > 0;
+  volume = dot(n, v[2]);
+  /* camera space: a front is seen where this is above 0 */
+  return volume <= (cut ? norm1(v[2]) : 0);
+}
+
 void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   int32_t a[3][3], n[3][3], more[3] = {0, 0, 0};
-  int64_t volume, margin, certain = 0;
+  int64_t volume;
   fc_facet facet;
   shadow_form f;
   uint8_t i, j, sides, cut[3];
   int8_t sign = 0;
+  facet.certain = 0;
   for (i = 0; i < 3; i++)
     for (j = 0; j < 3; j++) a[i][j] = (int32_t)(form->u.triangle.vertex[i][j] - scan->frame->lights[j]); /* 30 bits each */
   for (i = 0; i < 3; i++) {
@@ -186,30 +226,15 @@ void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind 
       if (form->u.triangle.hidden != 0 && sign != form->u.triangle.hidden) return;
     }
     set_form(&receiver->w, n[i], sign, cut[i], &f);
-    if (!fit(scan, &f, &facet.at[i], &facet.dx[i], &facet.dy[i], &margin)) return;
-    if (margin >= INT64_C(1) << 28) {
-      fc_planar_ask(scan, kind, form);
-      return;
-    }
-    facet.at[i] += (int32_t)margin;
-    if (2 * margin + 1 > certain) certain = 2 * margin + 1;
+    if (!fit(scan, &f, &facet.at[i], &facet.dx[i], &facet.dy[i], &facet.certain)) return;
   }
   sides = sides_of(receiver, form);
   if (!(sides & 1)) return;
-  facet.certain = (int32_t)certain;
   if (sides & 2) {
-    bool told = set_passed(receiver, (const int32_t(*)[3])a, sign, &f);
-    if (told) {
-      if (!fit(scan, &f, &more[0], &more[1], &more[2], &margin)) return;
-      told = margin < INT64_C(1) << 28;
-    }
-    if (told) {
-      more[0] += (int32_t)margin;
-      if (2 * margin + 1 > certain) facet.certain = (int32_t)(2 * margin + 1);
-    } else {
+    if (!set_passed(receiver, (const int32_t(*)[3])a, sign, &f))
       facet.certain = INT32_MAX;
-      sides = 1;
-    }
+    else if (!fit(scan, &f, &more[0], &more[1], &more[2], &facet.certain))
+      return;
   }
   cast(scan, &facet, more, sides & 2 ? 4 : 3, kind, form);
 }
