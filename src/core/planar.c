@@ -237,8 +237,20 @@ static FC_NOINLINE void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
   cast_from(scan, planar, points, find_hull(scan, planar, points));
 }
 
+static void set_corners(const fc_scan *scan, fc_planar *planar) {
+  uint8_t i, j;
+  for (i = 0; i < 4; i++)
+    for (j = 0; j < 3; j++) {
+      int32_t w = planar->w.at[j];
+      if (i & 1) w += planar->w.dx[j] * (scan->columns - 1);
+      if (i & 2) w += planar->w.dy[j] * (scan->rows - 1);
+      planar->corner[i][j] = (int16_t)fc_floor_shift32(w, 16);
+    }
+}
+
 /* Candidates for occluders, each asked to darken what it can. */
-static void cast_shadows(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners) {
+static void cast_shadows(fc_scan *scan, fc_planar *planar, const int64_t *hull, uint8_t corners) {
+  set_corners(scan, planar);
   if (corners == 0 && scan->frame->scene.bvh != NULL)
     cast_from_tile(scan, planar);
   else

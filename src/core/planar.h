@@ -24,6 +24,7 @@ struct fc_planar {
   int64_t exact[3];  /* before the cut: below 2^63 */
   fc_i128 exact_k;
   fc_sheaf w;        /* from the light to the points of the tile */
+  int16_t corner[4][3]; /* floor(W / 2^16) at the tile's corners */
 };
 
 /* Shades the masked pixels of a tile on the plane n.p = k: facing, shadows, cosines. |n| below 2^63. They lie within the hull

@@ -41,10 +41,16 @@ static int64_t norm1(const int32_t a[3]) { return (int64_t)fc_abs32(a[0]) + fc_a
 /* sign W.n for n off by less than `off` a component. */
 static void set_form(const fc_sheaf *w, const int32_t n[3], int8_t sign, uint32_t off, shadow_form *form) {
   /* Components of W and n within 2^30: below 2^62. W is off by e: |n|_1 e; n by f: |W|_1 f; both: 3 e f. */
-  form->at = sign * dot(n, w->at);
-  form->dx = sign * dot(n, w->dx);
-  form->dy = sign * dot(n, w->dy);
-  form->error = norm1(n) * w->error + ((INT64_C(3) << 30) + 3 * (int64_t)w->error) * off;
+  form->at = dot(n, w->at);
+  form->dx = dot(n, w->dx);
+  form->dy = dot(n, w->dy);
+  if (sign < 0) {
+    form->at = -form->at;
+    form->dx = -form->dx;
+    form->dy = -form->dy;
+  }
+  form->error = (int64_t)fc_mul32((uint32_t)norm1(n), w->error);
+  if (off != 0) form->error += (int64_t)fc_mul32((UINT32_C(3) << 30) + 3 * w->error, off);
 }
 
 /* floor(v / 2^s), s below 63, where it fits 32 bits. */
@@ -185,6 +191,52 @@ static bool set_passed(const fc_planar *receiver, const int32_t a[3][3], int8_t 
   return true;
 }
 
+/*
+ * Whether a triangle seen from the light is clear of the tile's four directions, in 16 bits: on the outer side of one edge (sign
+ * known), or on different sides of two.
+ */
+static bool misses(const fc_planar *receiver, const int32_t a[3][3], int8_t sign) {
+  /*
+   * Vertices and edges cut to 14 bits, off by less than 1 a component: N = A x E, below 2^29, is off by less than 4 2^14 + 2; cut by
+   * 2^14 by less than 6. W, cut to 14 bits, is off by less than 2 (w.error is below 2^14). So N.W, below 3 2^29, is off by less than
+   * 3 (2^15 2 + 2^14 6 + 12) < 2^19.
+   */
+  const int32_t error = INT32_C(1) << 19;
+  uint32_t all = 0;
+  uint8_t i, j, shift;
+  bool outside = false, inside = false;
+  for (i = 0; i < 3; i++)
+    for (j = 0; j < 3; j++) all |= fc_abs32(a[i][j]);
+  shift = all >> 14 == 0 ? 0 : (uint8_t)(18 - fc_clz32(all));
+  for (i = 0; i < 3; i++) {
+    const int32_t *from = a[i], *to = a[next(i)];
+    int32_t v[3], e[3], n[3], low = INT32_MAX, high = INT32_MIN;
+    uint8_t cut;
+    all = 0;
+    for (j = 0; j < 3; j++) {
+      e[j] = to[j] - from[j]; /* vertices within 2^30 */
+      all |= fc_abs32(e[j]);
+      v[j] = fc_floor_shift32(from[j], shift);
+    }
+    if (all == 0) return false;
+    cut = (uint8_t)fc_clz32(all);
+    for (j = 0; j < 3; j++) e[j] = cut < 18 ? fc_floor_shift32(e[j], (uint8_t)(18 - cut)) : e[j] * (INT32_C(1) << (cut - 18));
+    n[0] = fc_floor_shift32(v[1] * e[2] - v[2] * e[1], 14);
+    n[1] = fc_floor_shift32(v[2] * e[0] - v[0] * e[2], 14);
+    n[2] = fc_floor_shift32(v[0] * e[1] - v[1] * e[0], 14);
+    for (j = 0; j < 4; j++) {
+      const int16_t *w = receiver->corner[j];
+      int32_t value = n[0] * w[0] + n[1] * w[1] + n[2] * w[2];
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+    if (high < -error) outside = true;
+    if (low > error) inside = true;
+    if (sign < 0 ? inside : sign > 0 ? outside : inside && outside) return true;
+  }
+  return false;
+}
+
 bool fc_triangle_averted(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int64_t light[3]) {
   int32_t v[3][3], n[3];
   int64_t wide[3], volume;
@@ -211,6 +263,7 @@ void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind 
   facet.certain = 0;
   for (i = 0; i < 3; i++)
     for (j = 0; j < 3; j++) a[i][j] = (int32_t)(form->u.triangle.vertex[i][j] - scan->frame->lights[j]); /* 30 bits each */
+  if (receiver->w.error >> 14 == 0 && misses(receiver, (const int32_t(*)[3])a, form->u.triangle.hidden)) return;
   for (i = 0; i < 3; i++) {
     int64_t wide[3];
     cross(a[i], a[next(i)], wide);
