@@ -22,7 +22,7 @@ def plan():
     todo += each(("s1", "s1r"), ("m4f",), ("scan_float",))
     todo += each(("s1",), CHIPS, ("fixcast",), opts=("-Os", "-O3"))
     todo += each(("s1",), ("m0plus", "m3"), ("fixcast-rays",))
-    todo += each(("s1b",), ("m0plus", "m3"), ("fixcast",))
+    todo += each(("s1b",), CHIPS, ("fixcast",))
     todo += each(("s2",), CHIPS, ("fixcast", "float", "fixed"))
     todo += each(("s4",), CHIPS, ("fixcast",))
     todo += each(SPHERES, CHIPS, ("fixcast",))

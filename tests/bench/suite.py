@@ -22,6 +22,7 @@ import bench_scenes
 import counting
 import images
 import linkmap
+import measured
 from images import Failure, RENDERERS, ROOT
 from plan import PROFILES, plan
 
@@ -68,7 +69,7 @@ class Suite:
                    profile=PROFILES[image.profile] if RENDERERS[image.renderer].core else None,
                    instructions_per_pixel=None, cycles_per_pixel=None, flash_bytes=None, ram_bytes=None,
                    stack_bytes=None, **dict.fromkeys(accuracy.KEYS), setup_instructions=None, crc=None, stages=None,
-                   libc_bytes=None, host_ratio=None)
+                   functions=None, libc_bytes=None, host_ratio=None)
         try:
             built = self.workshop.build(image)
             flash = linkmap.flash(linkmap.read(built[1]), built[2], self.workshop.work)
@@ -83,6 +84,8 @@ class Suite:
             row.update(instructions_per_pixel=sum(counts.instructions.values()) / pixels,
                        setup_instructions=counts.instructions["setup"], crc=counts.printed.get("crc"),
                        stages={region: stages(functions, pixels) for region, functions in counts.functions.items()})
+            if RENDERERS[image.renderer].core:
+                row["functions"] = {region: per_pixel(functions, pixels) for region, functions in counts.functions.items()}
             for key in ("ram_bytes", "stack_bytes"):
                 row[key] = int(counts.printed[key]) if key in counts.printed else None
             if counts.cycles:
@@ -113,7 +116,13 @@ def stages(functions, pixels):
     sums = collections.Counter()
     for name, count in functions.items():
         sums[name.split(":")[0]] += count
-    return {name: round(count / pixels, 3) for name, count in sums.most_common()}
+    return per_pixel(sums, pixels)
+
+
+def per_pixel(counts, pixels):
+    """The largest first, without what rounds to nothing."""
+    shares = {name: round(count / pixels, 3) for name, count in collections.Counter(counts).most_common()}
+    return {name: share for name, share in shares.items() if share}
 
 
 def progress(done, of, started):
@@ -207,12 +216,15 @@ def main():
         for kind in ("scene", "target", "renderer"):
             words = {word for word in options.only if word in {getattr(image, kind) for image in plan()}}
             todo = [image for image in todo if not words or getattr(image, kind) in words]
+        taken = measured.note(options.source)
         rows = run(suite, todo, options.jobs)
     except Failure as failure:
         print(f"bench: {failure}", file=sys.stderr)
         return 2
     out = work / ("part.json" if options.only else "bench.json")
     write_atomically(out, json.dumps(rows, indent=1) + "\n")
+    if not options.only:
+        measured.write(out, taken)
     print(table(rows))
     print("-: more instructions than the limit allows, or not known there")
     for sentence in suite.failures:
