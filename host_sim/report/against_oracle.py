@@ -1,24 +1,18 @@
-"""Measures accuracy and writes docs/REPORT.md: `make report`.
-
-report.py SIMULATOR OUTPUT
-"""
+"""Accuracy against the oracle: every scene, every shadow rule, every depth format."""
 import json
-import os
+import math
 import pathlib
 import subprocess
 import sys
 
-SCENES = pathlib.Path(__file__).resolve().parent / "scenes"
+SCENES = pathlib.Path(__file__).resolve().parents[1] / "scenes"
 SHADOWED = ("s1", "s1r", "box", "flake")
 RULES = ("exact", "residual", "epsilon=0.0001", "epsilon=0.001", "epsilon=0.01", "epsilon=0.1", "none")
 FORMATS = ("e2m14", "e3m13", "e4m12", "linear", "inverse", "half")
 
-TEXT = """# Accuracy, measured
+TEXT = """## Accuracy of every scene, default rules
 
-Written by `make report`; every figure is against the oracle (docs/SPEC.md, section 9), at 240x240. Instructions
-counted on emulated chips will stand beside these figures when the scan engine does.
-
-## Every scene, default rules
+Every figure is against the oracle (docs/SPEC.md, section 9), at 240x240.
 
 {scenes}
 
@@ -64,44 +58,38 @@ def table(head, rows):
 
 
 def power_of_two(error):
-    import math
     return f"2^{math.log2(error):.2f}" if error else "0"
 
 
-def main(simulator, output):
-    steps = len(list(SCENES.glob("*.nff"))) + len(SHADOWED) * len(RULES) + len(FORMATS)
+def measure(simulator):
+    """All that the sections say, as JSON takes it."""
+    names = sorted(path.stem for path in SCENES.glob("*.nff"))
+    steps = len(names) + len(SHADOWED) * len(RULES) + len(FORMATS)
     done = 0
 
-    def measure(*arguments):
+    def ask(*arguments):
         nonlocal done
         done += 1
         if sys.stderr.isatty():
-            print(f"\rreport: {done} of {steps}", end="", file=sys.stderr)
+            print(f"\rreport: frame {done} of {steps}", end="\n" if done == steps else "", file=sys.stderr, flush=True)
         return compare(simulator, *arguments)
 
-    scenes = []
-    for path in sorted(SCENES.glob("*.nff")):
-        c = measure(path.stem)
-        scenes.append((path.stem, c["crc32"], c["wrong_id"], c["wrong_shadow"], f"{c['colour_max']:.3f}",
-                       f"{c['colour_rmse']:.3f}", power_of_two(c["depth_rel_max"])))
-    shadows = []
-    for rule in RULES:
-        row = [rule]
-        for scene in SHADOWED:
-            c = measure(scene, "--offset", rule)
-            row.append(f"{c['false_shadow_ppm']:.0f} / {c['leak_ppm']:.0f}")
-        shadows.append(row)
-    fights = [(f, measure("fight", "--depth-format", f)["wrong_order"]) for f in FORMATS]
-    listing = subprocess.run([simulator, "depths"], check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
-    text = TEXT.format(
+    return {
+        "scenes": {name: ask(name) for name in names},
+        "shadows": {rule: {scene: ask(scene, "--offset", rule) for scene in SHADOWED} for rule in RULES},
+        "fights": {name: ask("fight", "--depth-format", name)["wrong_order"] for name in FORMATS},
+        "depths": subprocess.run([simulator, "depths"], check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()[1:],
+    }
+
+
+def sections(measured):
+    scenes = [(name, c["crc32"], c["wrong_id"], c["wrong_shadow"], f"{c['colour_max']:.3f}", f"{c['colour_rmse']:.3f}",
+               power_of_two(c["depth_rel_max"])) for name, c in measured["scenes"].items()]
+    shadows = [(rule, *(f"{c['false_shadow_ppm']:.0f} / {c['leak_ppm']:.0f}" for c in found.values()))
+               for rule, found in measured["shadows"].items()]
+    head, *lines = measured["depths"]
+    return TEXT.format(
         scenes=table(["scene", "CRC-32", "wrong ids", "wrong shadows", "colour max", "colour rmse", "depth"], scenes),
         shadows=table(["rule: false shadows / leaks", *SHADOWED], shadows),
-        depths=table(listing[1].split(), [line.split() for line in listing[2:]]),
-        fights=table(["format", "wrong pixels of 57600"], fights))
-    temporary = pathlib.Path(output + ".tmp")
-    temporary.write_text(text, encoding="utf-8")
-    os.replace(temporary, output)
-    print(f"\nwrote {output}" if sys.stderr.isatty() else f"wrote {output}")
-
-
-main(*sys.argv[1:])
+        depths=table(head.split(), [line.split() for line in lines]),
+        fights=table(["format", "wrong pixels of 57600"], list(measured["fights"].items())))
