@@ -33,10 +33,10 @@ matrix: ## a table of the CRCs that every compiler, option and machine gives (tw
 	@cmake --build $(BUILD) --parallel $(JOBS) --target baked_scenes >/dev/null
 	@python3 tests/matrix/matrix.py --baked $(BUILD)/baked --work $(BUILD)/matrix --jobs $(JOBS)
 
-report: ## measure every scene's accuracy and rewrite docs/REPORT.md
-	@.ci/install demo
+report: ## rewrite docs/REPORT.md and its plots from what `make bench` counted, and the accuracy of every scene
+	@.ci/install report
 	@$(MAKE) build
-	@python3 host_sim/report.py $(BUILD)/fixcast docs/REPORT.md
+	@$(BUILD)/fixcast report
 
 bench: ## count what frames cost on chips, ours and other renderers', into build/bench/bench.json (several minutes)
 	@.ci/install bench

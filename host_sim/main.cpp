@@ -40,6 +40,7 @@ int run(int argc, char **argv) {
   host::add_pick_command(app, action);
   host::add_bake_command(app, action);
   host::add_depths_command(app, action);
+  host::add_report_command(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &error) {

@@ -5,7 +5,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 - after the choice of backend
-from matplotlib.ticker import FuncFormatter, MaxNLocator, NullFormatter  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter  # noqa: E402
 
 import bars  # noqa: E402
 import rows as bench  # noqa: E402
@@ -37,6 +37,9 @@ def save(figure, place, name):
 
 
 def log_axis(axis):
+    low, high = axis.get_view_interval()
+    if high < 60 * low:  # too few powers of ten to read from
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axis.set_major_formatter(FuncFormatter(short))
     axis.set_minor_formatter(NullFormatter())
 
@@ -69,11 +72,17 @@ def label(axes, items, gap=13, right=9):
             x, y, text, colour = items[i]
             moved = (height - spots[i][1]) * 72 / axes.figure.dpi
             axes.annotate(text, (x, y), (right, moved), textcoords="offset points", va="center", fontsize=9,
-                          color=colour, annotation_clip=False,
+                          color=colour, annotation_clip=False, zorder=2,
+                          bbox={"boxstyle": "square,pad=0.12", "fc": "white", "ec": "none"},
                           arrowprops=None if abs(moved) < 4 else {"arrowstyle": "-", "color": GREY, "lw": 0.6})
 
 
 # ---- speed against error ----
+
+def colour_error(row):
+    """To a hundredth of a level: less is no reason to choose."""
+    return None if row["colour_rmse"] is None else round(row["colour_rmse"], 2)
+
 
 def against_error(axes, found, error_of, title):
     points = [(error_of(row), row["instructions_per_pixel"], bench.name_of(row)) for row in found
@@ -137,24 +146,24 @@ def stage_bars(rows, place):
     figure, grid = plt.subplots(1, 2, figsize=(12, 4.6), sharey=True)
     figure.subplots_adjust(wspace=0.06)
     for axes, target in zip(grid, ("m0plus", "m3")):
-        ends, texts = [], []
         for y, scene in enumerate(scenes):
             row = bench.one(rows, scene=scene, target=target)
-            left = 0.0
             shares = stages.by_stage(row) if row and row["stages"] else dict.fromkeys(stages.STAGES, 0.0)
+            whole, left = sum(shares.values()), 0.0
             for (stage, share), colour in zip(shares.items(), STAGE_COLOURS):
-                axes.barh(y, share, left=left, color=colour, edgecolor="white", lw=0.5, height=0.7,
+                width = 100 * share / whole if whole else 0
+                axes.barh(y, width, left=left, color=colour, edgecolor="white", lw=0.5, height=0.7,
                           label=stage if y == 0 else None)
-                left += share
-            ends.append(left)
-            texts.append(short(left) if left else "over the bench's limit" if row else "not measured")
-        limit = max(ends) * 1.16 or 1
-        for y, (end, text) in enumerate(zip(ends, texts)):
-            axes.text(end + limit * 0.01, y, text, va="center", fontsize=9)
-        axes.set_xlim(0, limit)
-        axes.set_title(bench.TARGETS[target])
-        axes.set_xlabel("instructions a pixel, 128x128")
-        axes.grid(True, axis="x", color="#e8e8e8")
+                if width >= 6:
+                    axes.text(left + width / 2, y, short(share), ha="center", va="center", fontsize=8,
+                              color="white" if colour in (BLUE, GREEN, RED) else BLACK)
+                left += width
+            axes.text(101 if whole else 1, y, short(whole) if whole else "over the bench's limit" if row else "not measured",
+                      va="center", fontsize=10)
+        axes.set_xlim(0, 112)
+        axes.set_xticks(range(0, 101, 20))
+        axes.set_title(f"{bench.TARGETS[target]}: share and instructions a pixel")
+        axes.set_xlabel("% of the frame's instructions, 128x128")
         axes.set_yticks(range(len(names)), names)
     grid[0].invert_yaxis()
     handles, labels = grid[0].get_legend_handles_labels()
@@ -247,7 +256,7 @@ def grouped(axes, groups, series, unit):
         for x, value in zip(xs, values):
             axes.text(x, value or 0, "n/a" if value is None else f" {value:.3g}", ha="center", va="bottom", fontsize=8,
                       rotation=90 if len(series) * len(groups) > 12 else 0)
-    axes.set_xticks(range(len(groups)), groups)
+    axes.set_xticks(range(len(groups)), groups, fontsize=9)
     axes.set_ylabel(unit)
     axes.grid(True, axis="y", color="#e8e8e8")
     axes.margins(y=0.2)
@@ -259,7 +268,7 @@ def in_kb(row, key):
 
 
 def memory(rows, place):
-    figure, grid = plt.subplots(1, 3, figsize=(14, 4.4), gridspec_kw={"width_ratios": (1.5, 1.1, 1.2)})
+    figure, grid = plt.subplots(1, 3, figsize=(14, 4.4), gridspec_kw={"width_ratios": (1.4, 1.2, 1.2)})
     figure.subplots_adjust(wspace=0.25)
     chips = ["M0+", "M3", "M4", "M4F", "RV32"]
     scenes = (("s1b", "spheres", SKY), ("s1", "spheres, planes", BLUE), ("s2", "triangles", ORANGE))
@@ -306,23 +315,24 @@ def wire_bars(rows, place):
 
 
 def bar_chart(rows, place):
-    """How far each figure is from what was asked for."""
-    known = [(bar, value, verdict) for bar, value, verdict in bars.judged(rows) if value is not None and bar["bar"]]
+    """How far each figure is from what was asked for. What may not differ from 0 has no such measure."""
+    known = [(bar, value, verdict) for bar, value, verdict in bars.judged(rows) if verdict != "not measured" and bar["bar"]]
     figure, axes = plt.subplots(figsize=(11, 0.4 * len(known) + 1.2))
     colours = {"aim met": GREEN, "bar met": SKY, "MISSED": RED}
+    most = 4 * max([value / bar["bar"] for bar, value, _ in known if value is not None] + [1])
     for y, (bar, value, verdict) in enumerate(known):
-        axes.barh(y, value / bar["bar"], color=colours[verdict], height=0.62)
+        ratio = most / 2 if value is None else value / bar["bar"]
+        axes.barh(y, ratio, color=colours[verdict], height=0.62, hatch="//" if value is None else None, ec="white", lw=0)
         axes.plot([bar["aim"] / bar["bar"]] * 2, [y - 0.38, y + 0.38], color=BLACK, lw=2)
-        axes.text(max(value / bar["bar"], 1) * 1.04, y, f"{short(value)} of {short(bar['bar'])}  {verdict}", va="center",
-                  fontsize=9)
+        text = "over the bench's limit" if value is None else f"{short(value)} of {short(bar['bar'])}"
+        axes.text(max(ratio, 1) * 1.05, y, f"{text}  {verdict}", va="center", fontsize=9)
     axes.axvline(1, color=BLACK, lw=1, ls="--")
     axes.set_xscale("log")
-    most = max([value / bar["bar"] for bar, value, _ in known] + [1])
-    axes.set_xlim(0.05, most * 8)
+    axes.set_xlim(0.05, most * 5)
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.set_yticks(range(len(known)), [bar["what"] for bar, _, _ in known])
     axes.invert_yaxis()
-    axes.set_xlabel("measured / bar, log; dashed: the bar, short black line: the aim")
+    axes.set_xlabel("measured / bar (log); dashed line: the bar, short black line: the aim")
     save(figure, place, "bars")
 
 
@@ -332,6 +342,6 @@ def draw(rows, place):
     with plt.rc_context(LEGIBLE):
         for scene in ("s1", "s1r"):
             speed(rows, place, scene, bench.wrong, f"wrong-{scene}", "wrong ids and shadows, of 16384 pixels")
-            speed(rows, place, scene, lambda row: row["colour_rmse"], f"colour-{scene}", "colour error, rmse, 8-bit levels")
+            speed(rows, place, scene, colour_error, f"colour-{scene}", "colour error, rmse, 8-bit levels")
         for plot in (stage_bars, primitives, sizes, memory, wire_bars, bar_chart):
             plot(rows, place)
