@@ -105,11 +105,12 @@ def number(value, digits=0):
 
 
 def bar_table(judged):
-    def text(value, whole):
-        return "-" if value is None else f"{value:.2f}" if whole <= 1 else f"{value:.0f}" if value >= 1000 else f"{value:.1f}"
+    def text(value):
+        return "-" if value is None else str(value) if isinstance(value, int) else f"{value:.2f}" if value < 10 else \
+            f"{value:.1f}"
     lines = []
     for bar, value, verdict in judged:
-        shown = "over the bench's limit" if value is None and verdict == "MISSED" else text(value, bar["bar"])
+        shown = "over the bench's limit" if value is None and verdict == "MISSED" else text(value)
         lines.append((bar["what"], bar["unit"], bar["bar"], bar["aim"], shown,
                       f"**{verdict}**" if verdict == "MISSED" else verdict))
     return table(["", "unit", "bar", "aim", "measured", "verdict"], lines)

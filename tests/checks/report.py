@@ -67,7 +67,7 @@ def main(source):
         bench.write_text(json.dumps(rows))
         run(bench, output, "--stale")
         report.check("BROKEN" in output.read_text(), "a wrong pixel of the exact profile does not show")
-        report.equal("a wrong id", ["1.00", "**MISSED**"], bar_of(output.read_text(), "Wrong ids on S1, S1r, S2")[-2:])
+        report.equal("a wrong id", ["1", "**MISSED**"], bar_of(output.read_text(), "Wrong ids on S1, S1r, S2")[-2:])
 
     for picture in re.findall(r"\]\((report/[^)]+)\)", (source / "docs/REPORT.md").read_text()):
         report.check((source / "docs" / picture).exists(), f"docs/REPORT.md shows {picture}, which does not exist")
