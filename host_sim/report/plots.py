@@ -190,8 +190,6 @@ def lines(axes, curves):
     for axis in (axes.xaxis, axes.yaxis):
         log_axis(axis)
     axes.grid(True, which="major", color="#e8e8e8")
-    # One column of labels, whatever the lines' ends are, keeps them from each other.
-    axes.figure.canvas.draw()
     label(axes, items)
 
 
@@ -213,7 +211,7 @@ def primitives(rows, place):
               [(curve(rows, spheres, target, renderer=name), name.replace("_", " "), *LOOKS[name.replace("_", " ")])
                for name in ("float", "q16", "scan_float")])
         lines(lower, [(curve(rows, flat, target, **exact), "fixcast", BLUE, "o"),
-                      (curve(rows, lit, target, **exact), "fixcast,\nshadows", SKY, "s")] +
+                      (curve(rows, lit, target, **exact), "fixcast, lit", SKY, "s")] +
               [(curve(rows, flat, target, renderer=name), name, *LOOKS[name]) for name in ("fixed", "float")])
         upper.set_title(f"{bench.TARGETS[target]}: spheres, shadows")
         lower.set_title(f"{bench.TARGETS[target]}: triangles")
@@ -226,7 +224,7 @@ def primitives(rows, place):
 
 def sizes(rows, place):
     scenes = (("s1", "S1", BLUE, "o"), ("s1r", "S1r", SKY, "s"), ("s2", "S2", ORANGE, "^"), ("s4", "S4", RED, "v"),
-              ("s5s8", "8 spheres", GREEN, "D"), ("s5t10", "200 triangles,\nshadows", PURPLE, "P"))
+              ("s5s8", "8 spheres", GREEN, "D"), ("s5t10", "200 triangles, lit", PURPLE, "P"))
     figure, grid = plt.subplots(1, 2, figsize=(12, 4.8))
     figure.subplots_adjust(wspace=0.35)
     for axes, target in zip(grid, ("m0plus", "m3")):
@@ -300,8 +298,9 @@ def wire_bars(rows, place):
                 place_x = x + (i - 1) * 0.27
                 axes.bar(place_x, drawn[0] if drawn else 0, 0.25, color=colours[i],
                          label=f"{clock} MHz, {cores} core{'s, inferred' if cores > 1 else ''}" if x == 0 else None)
-                axes.text(place_x, drawn[0] if drawn else 0, f" {drawn[0]:.3g}" if drawn else " n/a", rotation=90,
-                          ha="center", va="bottom", fontsize=8)
+                axes.annotate(f"{drawn[0]:.3g}" if drawn else "n/a", (place_x, drawn[0] if drawn else 0), (0, 3),
+                              textcoords="offset points", rotation=90, ha="center", va="bottom", fontsize=8, zorder=4,
+                              bbox={"boxstyle": "square,pad=0.05", "fc": "white", "ec": "none"})
         axes.axhline(limit, color=RED, lw=2)
         axes.text(3.45, limit, f"bus: {limit:.1f}", color=RED, va="bottom", ha="right", fontsize=9)
         axes.set_xticks(range(len(bench.SCENES)), bench.SCENES.values())

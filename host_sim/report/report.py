@@ -31,7 +31,7 @@ unless said. tests/bench holds the harness and the other renderers.
 
 {advice}
 
-Instructions are not seconds: an M0+ takes about {cycles} cycles for one. A frame that must be the same on every chip and
+Instructions are not seconds: an RP2040 takes about {measured_cycles} cycles for one. A frame that must be the same on every chip and
 build, or exact at every scale, is what `exact` is for; a chip with an FPU that needs neither has faster ways.
 
 ## Bars and aims
@@ -72,7 +72,7 @@ stages ask for.
 ## Cost against primitives and pixels
 
 Spheres under a light with hard shadows on a plane; triangles of a height field in final colours as a rasteriser draws
-them, and lit with hard shadows. A curve ends where the bench's limit of instructions was reached.
+them, and lit, with hard shadows. A curve ends where the bench's limit of instructions was reached.
 
 ![Instructions a pixel against primitives]({plots}/primitives.svg)
 
@@ -176,7 +176,8 @@ def wire_table(rows):
 def write(rows, core, accuracy, plots):
     judged = bars.judged(rows)
     by_function = all(row.get("functions") for row in bench.ours(rows) if row["stages"])
-    return TEXT.format(core=core, advice=advice.text(rows), cycles=wire.CYCLES_AN_INSTRUCTION, missed=missed_line(judged),
+    return TEXT.format(core=core, advice=advice.text(rows), cycles=wire.CYCLES_AN_INSTRUCTION,
+                       measured_cycles=wire.cycles_an_instruction(rows), missed=missed_line(judged),
                        bars=bar_table(judged), speed=speed_table(rows), stages=stage_table(rows),
                        by_file="" if by_function else " (here by their files, which is coarser)",
                        memory=memory_table(rows), wire=wire_table(rows), plots=plots,

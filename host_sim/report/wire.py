@@ -43,3 +43,11 @@ def drawn(rows, display, scene, clock, cores):
         return None
     setup, strips, known = found
     return clock * 1e6 / (display.width * display.height * (setup + strips / cores)), known
+
+
+def cycles_an_instruction(rows):
+    """What our rows on the RP2040 took, or the assumption."""
+    known = [row for row in rows if row["renderer"] == "fixcast" and row["cycles_per_pixel"]]
+    if not known:
+        return CYCLES_AN_INSTRUCTION
+    return round(sum(row["cycles_per_pixel"] / row["instructions_per_pixel"] for row in known) / len(known), 2)
