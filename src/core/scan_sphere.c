@@ -720,6 +720,44 @@ bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t
   }
 }
 
+/*
+ * Whether the sphere keeps the light from the point: 1, 0, or -1, in 15 bits. a: from the light to the centre, b: to the point. In
+ * units that make them and the radius 15 bits, a is off by less than sqrt(3), b by that and the point's error, the radius by 1:
+ * distances compare for certain beyond `slack`. With both ends clearly outside, the segment is blocked iff its inner points
+ * come within the radius.
+ */
+static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+  int64_t a[3], b[3], ab = 0, apart, out, in;
+  uint32_t aa = 0, bb = 0; /* below 3 * 2^30 */
+  uint64_t across, square, most = (uint64_t)form->u.sphere.radius;
+  uint8_t i, bits, shift;
+  for (i = 0; i < 3; i++) {
+    a[i] = form->u.sphere.center[i] - light[i];
+    b[i] = point[i] - light[i];
+    most |= fc_abs64(a[i]) | fc_abs64(b[i]);
+  }
+  bits = fc_bits64(most);
+  shift = bits > 15 ? (uint8_t)(bits - 15) : 0;
+  out = 2 * (int64_t)(error >> shift) + 8; /* sqrt(3) (1 + error + 1 + 1) + 1 < 2 error + 6.2, the error floored */
+  if (out > 4096) return -1;
+  for (i = 0; i < 3; i++) {
+    int32_t x = (int32_t)fc_floor_shift64(a[i], shift), y = (int32_t)fc_floor_shift64(b[i], shift);
+    aa += (uint32_t)(x * x);
+    ab += x * y;
+    bb += (uint32_t)(y * y);
+  }
+  in = (form->u.sphere.radius >> shift) - out; /* below 2^15 */
+  out += form->u.sphere.radius >> shift;
+  apart = (int64_t)aa + bb - 2 * ab; /* |a - b|^2 */
+  if (aa <= out * out || apart <= out * out) return -1;
+  if (ab <= 0 || ab >= bb) return 0; /* the nearest point is an end */
+  across = fc_mul32(aa, bb) - fc_mul32((uint32_t)ab, (uint32_t)ab); /* squared distance from the line, times bb; ab < bb */
+  square = fc_mul32((uint32_t)(out * out), bb);                     /* 31 + 32 bits */
+  if (across > square) return 0;
+  square = in > 0 ? fc_mul32((uint32_t)(in * in), bb) : 0;
+  return across < square ? 1 : -1;
+}
+
 int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
   /* Light outside. With w = P - L, c = C - L and q = |c|^2 - r^2 > 0 the line meets the sphere iff (w.c)^2 >= w.w q and w.c > 0,
    * and it does so before P iff its foot does, w.c < w.w, or P is inside, w.w - 2 w.c + q < 0. Vectors are cut to 29 bits
@@ -728,6 +766,8 @@ int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_
   uint64_t most = (uint64_t)form->u.sphere.radius;
   uint8_t i, shift, bits;
   int64_t e, r;
+  int8_t at_once = glance(form, light, point, error);
+  if (at_once >= 0) return at_once;
   for (i = 0; i < 3; i++) {
     c[i] = form->u.sphere.center[i] - light[i];
     w[i] = point[i] - light[i];
