@@ -58,7 +58,7 @@ typedef struct fc_frame {
   uint32_t light_level[3]; /* of the only light, Q15 */
 } fc_frame;
 
-/* Bytes of working memory a frame of this scene needs (16 a vertex and 2 a triangle with 144 a table, 16 a sphere, 24 a plane, 24 a light, rounded
+/* Bytes of working memory a frame of this scene needs (16 a vertex and 2 a triangle with 144 a table, 32 a sphere, 40 a plane, 24 a light, rounded
  * up), or an error through *error (may be NULL), then 0. */
 size_t fc_frame_memory(const fc_scene *scene, int *error);
 

@@ -483,7 +483,21 @@ void fc_scan_each(fc_scan *scan, uint16_t rows) {
   }
 }
 
+/* The other byte order. */
+static void swap_bytes(const fc_frame *frame, const fc_target *target, uint16_t rows) {
+  uint16_t x, y;
+  for (y = 0; y < rows; y++) {
+    uint8_t *at = (uint8_t *)target->pixels + y * target->pitch_bytes;
+    for (x = 0; x < frame->width; x++, at += 2) {
+      uint8_t first = at[0];
+      at[0] = at[1];
+      at[1] = first;
+    }
+  }
+}
+
 int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+  fc_target drawn;
   fc_space space;
   fc_cursor cursor;
   fc_scan scan;
@@ -491,15 +505,19 @@ int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_ta
   if (pixel_bytes < 0) return pixel_bytes;
   space = fc_space_of_frame(frame);
   scan.frame = frame;
-  scan.target = target;
+  /* inner loops know one order of bytes */
+  drawn = *target;
+  if (target->format == FC_RGB565_LE) drawn.format = FC_RGB565_BE;
+  scan.target = &drawn;
   scan.at = &cursor;
   scan.strip = y;
   scan.pixel_bytes = (uint8_t)pixel_bytes;
   scan.clip_far = frame->scene.far_limit > 0;
-  fc_pixel_most(target->format, scan.tint.most);
-  scan.tint.format = target->format;
-  clear(frame, target, rows, scan.pixel_bytes);
+  fc_pixel_most(drawn.format, scan.tint.most);
+  scan.tint.format = drawn.format;
+  clear(frame, &drawn, rows, scan.pixel_bytes);
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) fc_kind_of(&cursor)->strip(&scan, rows);
+  if (target->format == FC_RGB565_LE) swap_bytes(frame, target, rows);
   return FC_OK;
 }

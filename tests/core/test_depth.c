@@ -106,8 +106,11 @@ static void test_format_follows_the_depth_range(void) {
   fc_depth_choose(&frame, 0, UINT64_MAX);
   TEST_ASSERT_EQUAL_UINT8(4, frame.depth_exponent_bits);
   TEST_ASSERT_GREATER_THAN_UINT32(0, frame.depth_near);
+  /* the greatest codes stay free: nothing in range rounds up to 1 */
   fc_depth_choose(&frame, UINT64_MAX, UINT64_MAX);
-  TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, frame.depth_near);
+  TEST_ASSERT_EQUAL_UINT32(UINT32_MAX - (UINT32_MAX >> 16) * 23 - 22, frame.depth_near);
+  fc_depth_choose(&frame, 100000, 100000);
+  TEST_ASSERT_EQUAL_UINT32(100000 - 35, frame.depth_near);
 }
 
 int main(void) {

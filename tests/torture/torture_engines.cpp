@@ -392,7 +392,8 @@ double tolerance(const fc_frame &frame, uint16_t primitive, size_t i) {
 
 using Render = int (*)(const fc_frame *, uint16_t, uint16_t, const fc_target *);
 
-void render(Render engine, const fc_frame &frame, int format, const std::vector<uint16_t> &strips, Picture *to) {
+void render(Render engine, const fc_frame &frame, int format, const std::vector<uint16_t> &strips, Picture *to,
+            bool with_primitive = true, bool with_lit = true) {
   const size_t pixels = static_cast<size_t>(frame.width) * frame.height, bytes = static_cast<size_t>(bytes_of[format]);
   to->pixels.assign(pixels * bytes, 0x55);
   to->depth.assign(pixels, 0x5555);
@@ -401,7 +402,7 @@ void render(Render engine, const fc_frame &frame, int format, const std::vector<
   for (size_t i = 0; i + 1 < strips.size(); i += 2) {
     const size_t first = static_cast<size_t>(strips[i]) * frame.width;
     fc_target target = {&to->pixels[first * bytes], frame.width * bytes,  static_cast<uint8_t>(format),
-                        &to->depth[first],          &to->primitive[first], &to->lit[first]};
+                        &to->depth[first],          with_primitive ? &to->primitive[first] : nullptr, with_lit ? &to->lit[first] : nullptr};
     const int status = engine(&frame, strips[i], strips[i + 1], &target);
     if (status != FC_OK) fail("rows %u and %u more: %s", strips[i], strips[i + 1], fc_error_text(status));
   }
@@ -448,13 +449,18 @@ uint64_t engines(Random &random) {
     parts.insert(parts.begin() + at, {y, kept});
     y = static_cast<uint16_t>(y + kept);
   }
-  render(fc_render_rows, frame, format, parts, &strips);
+  /* ... with and without what else a target may hold */
+  const bool with_primitive = random.flip(), with_lit = random.flip();
+  render(fc_render_rows, frame, format, parts, &strips, with_primitive, with_lit);
+  if (!with_primitive) strips.primitive = scan.primitive;
+  if (!with_lit) strips.lit = scan.lit;
   for (size_t i = 0; i < scan.depth.size(); i++) {
     const auto bytes = static_cast<size_t>(bytes_of[format]);
     if (strips.primitive[i] != scan.primitive[i] || strips.depth[i] != scan.depth[i] || strips.lit[i] != scan.lit[i] ||
         std::memcmp(&strips.pixels[i * bytes], &scan.pixels[i * bytes], bytes) != 0) {
       std::string list;
       for (uint16_t part : parts) list += print(" %u", part);
+      list += print(" (%d %d)", with_primitive, with_lit);
       int whole[3], part[3];
       channels(scan, i, format, whole);
       channels(strips, i, format, part);
