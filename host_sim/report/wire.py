@@ -31,8 +31,9 @@ def cycles(rows, display, scene):
             if row and row["instructions_per_pixel"]:
                 instructions = row["instructions_per_pixel"]
                 each = (row["cycles_per_pixel"] or instructions * CYCLES_AN_INSTRUCTION) / instructions
-                setup = row["setup_instructions"] / bench.pixels(row)
-                return setup * each, (instructions - setup) * each, known + near
+                setup = row["setup_instructions"]  # of a frame, whatever its size
+                strips = instructions - setup / bench.pixels(row)
+                return setup / (display.width * display.height) * each, strips * each, known + near
     return None
 
 
