@@ -219,12 +219,6 @@ static bool short_slope(int64_t v, uint32_t reciprocal, int16_t exponent, uint32
   return true;
 }
 
-/* floor(a b / 2^16): a, b below 2^22. */
-static int32_t product16(int32_t a, int32_t b) {
-  uint32_t a0 = (uint32_t)a & 0xffffu, b0 = (uint32_t)b & 0xffffu;
-  return fc_floor_shift32(a, 16) * b + (int32_t)a0 * fc_floor_shift32(b, 16) + (int32_t)((a0 * b0) >> 16);
-}
-
 /* g off / 2^fraction, floors; off below 2^6 pixels. */
 static uint32_t moved(uint32_t g, int32_t off, uint8_t fraction) {
   return g * (uint32_t)fc_floor_shift32(off, fraction) + (uint32_t)fc_smulhi32(fc_to_i32(g), (uint32_t)off << (32 - fraction));
@@ -239,9 +233,10 @@ uint8_t fc_facet_small(fc_small_facet *facet, const fc_frame *frame, const fc_pl
   int64_t area = fc_smul32(x1, y2) - fc_smul32(x2, y1);
   int32_t left = (2 * tile->x0 + 1 - frame->width) * (INT32_C(1) << (fraction - 1));
   int32_t top = (2 * tile->y0 + 1 - frame->height) * (INT32_C(1) << (fraction - 1));
-  int32_t x[3], y[3], half = INT32_C(1) << (down - 1), p1, p2;
-  uint32_t margin, p[3], steep, reciprocal, low, high;
-  uint8_t i, j, most;
+  int32_t half = INT32_C(1) << (down - 1), p1, p2;
+  bool flip;
+  uint32_t margin, close, p[3], steep, reciprocal, low, high;
+  uint8_t i, most;
   int16_t exponent;
   /* as in fc_facet_edges; the sum is less than 2^45 */
   if (fc_high_word((int64_t)(fc_abs64(area) >> fraction)) == 0 &&
@@ -249,24 +244,31 @@ uint8_t fc_facet_small(fc_small_facet *facet, const fc_frame *frame, const fc_pl
     return FC_FACET_UNCLEAR;
   if (hidden_side != 0 && (area > 0) == (hidden_side < 0)) return FC_FACET_HIDDEN;
 
-  /* from the corners to the tile's first pixel, in 2^-16 pixels: below 2^22 */
+  /* Rows whose centre is too near a corner's height to tell on which side it is: 11 / 2^down + 1/2. */
+  close = (11u >> down) + 2;
+  flip = area < 0;
   for (i = 0; i < 3; i++) {
-    j = area > 0 || i == 0 ? i : (uint8_t)(3 - i);
-    x[i] = fc_floor_shift32(left - corners->x[j] + half, down);
-    y[i] = fc_floor_shift32(top - corners->y[j] + half, down);
+    facet->x[i] = fc_floor_shift32(corners->x[i] - left + half, down);
+    facet->y[i] = fc_floor_shift32(corners->y[i] - top + half, down);
+    if ((((uint32_t)facet->y[i] + close) & 0xffffu) <= 2 * close) return FC_FACET_UNCLEAR;
   }
+  for (i = 0; i < 3; i++) {
+    /* 0 and 1, 1 and 2, 0 and 1 */
+    int32_t *x = facet->x + (i == 1), *y = facet->y + (i == 1);
+    if (y[0] > y[1]) {
+      int32_t t = x[0];
+      x[0] = x[1];
+      x[1] = t;
+      t = y[0];
+      y[0] = y[1];
+      y[1] = t;
+      flip = !flip;
+    }
+  }
+  /* from top to bottom clockwise (as y runs down): the middle corner is on the right */
+  facet->left = flip;
   margin = 4 * side + 4;
-  margin = (margin >> 1) + ((margin * 11) >> down) + 4 + ((242u * 4) >> down);
-  facet->certain = (int32_t)(2 * margin) + 1;
-  for (i = 0; i < 3; i++) {
-    int32_t dx, dy;
-    j = i == 2 ? 0 : (uint8_t)(i + 1);
-    dx = x[i] - x[j];
-    dy = y[i] - y[j];
-    facet->at[i] = product16(dx, y[i]) - product16(dy, x[i]) + (int32_t)margin;
-    facet->dx[i] = -dy;
-    facet->dy[i] = dx;
-  }
+  facet->margin = (int32_t)((margin >> 1) + ((margin * 11) >> down) + 4 + ((242u * 4) >> down));
 
   most = fc_seen_exponent(corners->seen[0]);
   for (i = 1; i < 3; i++)

@@ -50,7 +50,9 @@ bool fc_facet_exact(fc_facet *facet, const fc_frame *frame, const fc_prepared *p
 #define FC_SMALL 32
 
 typedef struct fc_small_facet {
-  int32_t at[3], dx[3], dy[3], certain;
+  int32_t x[3], y[3]; /* corners from top to bottom, from the tile's first pixel, in 2^-16 pixels, below 2^22 */
+  int32_t margin;     /* an edge form of corners a, b is off by less than this: (P - a) x (b - a), in pixels by 2^-16 pixels */
+  bool left;          /* the middle corner is on the left of the other two */
   uint32_t p, px, py;
   uint32_t error, least, most;
   int16_t drop;
@@ -58,6 +60,16 @@ typedef struct fc_small_facet {
 
 /* What the corners tell: too little, or not in 32 bits; that the triangle's hidden side is seen; the forms. */
 enum { FC_FACET_UNCLEAR, FC_FACET_HIDDEN, FC_FACET_SEEN };
+
+/* floor(a b / 2^16): a, b below 2^22 in size. */
+static inline int32_t fc_product16(int32_t a, int32_t b) {
+#ifdef FC_SHORT_MULTIPLIER
+  uint32_t a0 = (uint32_t)a & 0xffffu, b0 = (uint32_t)b & 0xffffu;
+  return fc_floor_shift32(a, 16) * b + (int32_t)a0 * fc_floor_shift32(b, 16) + (int32_t)((a0 * b0) >> 16);
+#else
+  return (int32_t)fc_floor_shift64((int64_t)a * b, 16);
+#endif
+}
 
 uint8_t fc_facet_small(fc_small_facet *facet, const fc_frame *frame, const fc_placed_mesh *mesh, const fc_corners *corners,
                        const fc_tile *box, const fc_tile *tile, int8_t hidden_side);

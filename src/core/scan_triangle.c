@@ -61,7 +61,7 @@ static bool q30_of(uint32_t p, int16_t drop, uint32_t *q) {
 }
 
 /* A pixel inside the triangle, with everything that may happen to it. */
-static void careful_pixel(fc_brush *brush, uint16_t row, uint16_t column, uint32_t p) {
+static FC_NOINLINE void careful_pixel(fc_brush *brush, uint16_t row, uint16_t column, uint32_t p) {
   const fc_frame *frame = brush->scan->frame;
   uint32_t error = brush->facet.error;
   int32_t code;
@@ -282,7 +282,7 @@ static inline void flank_down(fc_flank *flank) {
 }
 
 /* Asks for the pixels of a row that are not inside for certain; the others are *first .. *last. */
-static void ask_ends(fc_brush *brush, const fc_ends *ends, int32_t certain, uint16_t row, int32_t *first, int32_t *last) {
+static FC_NOINLINE void ask_ends(fc_brush *brush, const fc_ends *ends, int32_t certain, uint16_t row, int32_t *first, int32_t *last) {
   int32_t a = ends->left.a - certain, b = ends->left.b - certain;
   for (; *first <= *last && (a | b) < 0; a += ends->left.ax, b += ends->left.bx) ask(brush, row, (uint16_t)(*first)++);
   a = ends->right.a - certain;
@@ -294,7 +294,7 @@ static bool ends_open(const fc_ends *ends, int32_t certain) {
   return ((ends->left.a - certain) | (ends->left.b - certain) | (ends->right.a - certain) | (ends->right.b - certain)) < 0;
 }
 
-static void walk_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
+static FC_NOINLINE void walk_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
   const fc_facet *facet = &brush->facet;
   uint64_t p = facet->p;
   uint16_t row;
@@ -312,43 +312,116 @@ static void walk_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
   }
 }
 
-/* The same in 32 bits, all of it within one octave and within the far limit. */
-static void walk_small_rows(fc_brush *brush, const fc_small_facet *facet, uint16_t columns, uint16_t rows) {
+/* One edge that bounds rows: its form at a column, one column further in, one row down. */
+typedef struct fc_bound {
+  int32_t e, inwards, down;
+} fc_bound;
+
+/* The edge between two corners, the first above: at a column and row of the tile. */
+static void bound_start(fc_bound *bound, const fc_small_facet *facet, uint8_t a, uint8_t b, bool left, int32_t column,
+                        int32_t row) {
+  const int32_t dx = facet->x[b] - facet->x[a], dy = facet->y[b] - facet->y[a];
+  const int32_t e = fc_product16(column * 65536 - facet->x[a], dy) - fc_product16(row * 65536 - facet->y[a], dx);
+  bound->inwards = dy;
+  bound->e = (left ? e : -e) + facet->margin;
+  bound->down = left ? -dx : dx;
+}
+
+/*
+ * Rows of a small triangle, all of it within one octave and within the far limit. Between the heights of two corners a row is
+ * bounded by one edge on either side; its ends are found from those of the row before.
+ */
+static FC_NOINLINE void walk_small_rows(fc_brush *brush, const fc_small_facet *facet, uint16_t columns, uint16_t rows) {
   fc_scan *scan = brush->scan;
   const uint32_t step = code_step(&brush->coder, facet->px);
-  uint32_t p_row = facet->p, add; /* outside the triangle p may wrap: only what is inside becomes a code */
-  uint16_t *depth_row = fc_scan_depth(scan, 0, 0);
-  uint8_t *to_row = fc_scan_pixel(scan, 0, 0);
-  uint16_t row;
-  fc_ends ends;
+  const int32_t certain = 2 * facet->margin + 1, end = columns;
+  int32_t row = fc_floor_shift32(facet->y[0], 16) + 1, middle = fc_floor_shift32(facet->y[1], 16) + 1,
+          last_row = fc_floor_shift32(facet->y[2], 16), from = 0, to = columns - 1;
+  uint32_t p_row, add;
+  uint16_t *depth_row;
+  uint8_t *to_row;
+  fc_bound left, right;
   brush->open = code_open(&brush->coder, facet->error, columns);
   add = 0x8000u + brush->open / 2;
-  if (brush->open > 0x8000u) brush->open = 0xffffu;
-  ends_start(&ends, facet->at, facet->dx, facet->dy, columns);
-  for (row = 0; row < rows; row++) {
-    ends_find(&ends);
-    if (ends.from <= ends.to) {
-      int32_t first = ends.from, last = ends.to;
-      if (ends_open(&ends, facet->certain)) ask_ends(brush, &ends, facet->certain, row, &first, &last);
-      if (first <= last) {
-        uint32_t at = code_of(&brush->coder, p_row + facet->px * (uint32_t)first) + add;
-        uint16_t *depth = depth_row + first, *end = depth_row + last + 1;
-        if (brush->plain)
-          paint(brush, depth, end, to_row + 2 * first, at, step);
-        else
-          scan->mask[row] |= paint_mask(brush, depth, end, at, step) << first;
+  if (row < 0) row = 0;
+  if (last_row > rows - 1) last_row = rows - 1;
+  if (row > last_row) return;
+  if (row < middle) {
+    bound_start(&left, facet, 0, facet->left ? 1 : 2, true, from, row);
+    bound_start(&right, facet, 0, facet->left ? 2 : 1, false, to, row);
+  } else {
+    bound_start(&left, facet, facet->left ? 1 : 0, 2, true, from, row);
+    bound_start(&right, facet, facet->left ? 0 : 1, 2, false, to, row);
+    middle = INT32_MAX;
+  }
+  p_row = facet->p + facet->py * (uint32_t)row; /* outside the triangle p may wrap: only what is inside becomes a code */
+  depth_row = fc_scan_depth(scan, (uint16_t)row, 0);
+  to_row = fc_scan_pixel(scan, (uint16_t)row, 0);
+  for (;;) {
+    int32_t e = left.e;
+    if (e < 0) {
+      do {
+        e += left.inwards;
+        from++;
+      } while (e < 0 && from < end);
+    } else {
+      while (from > 0 && e - left.inwards >= 0) {
+        e -= left.inwards;
+        from--;
       }
     }
-    flank_down(&ends.left);
-    flank_down(&ends.right);
+    left.e = e;
+    e = right.e;
+    if (e < 0) {
+      do {
+        e += right.inwards;
+        to--;
+      } while (e < 0 && to >= 0);
+    } else {
+      while (to < end - 1 && e - right.inwards >= 0) {
+        e -= right.inwards;
+        to++;
+      }
+    }
+    right.e = e;
+    {
+      int32_t first = from, last = to;
+      for (; first <= last && e < certain; e += right.inwards) last--; /* open ends, asked below */
+      for (e = left.e; first <= last && e < certain; e += left.inwards) first++;
+      if (from <= to) {
+        if (first != from || last != to) {
+          int32_t column;
+          for (column = from; column <= to; column++)
+            if (column < first || column > last) ask(brush, (uint16_t)row, (uint16_t)column);
+        }
+        if (first <= last) {
+          uint32_t at = code_of(&brush->coder, p_row + facet->px * (uint32_t)first) + add;
+          uint16_t *depth = depth_row + first;
+          if (brush->plain)
+            paint(brush, depth, depth_row + last + 1, to_row + 2 * first, at, step);
+          else
+            scan->mask[row] |= paint_mask(brush, depth, depth_row + last + 1, at, step) << first;
+        }
+      }
+    }
+    if (row == last_row) return;
+    row++;
+    left.e += left.down;
+    right.e += right.down;
     p_row += facet->py;
     depth_row += scan->frame->width;
     to_row += scan->target->pitch_bytes;
+    if (row == middle) {
+      if (facet->left)
+        bound_start(&left, facet, 1, 2, true, from, row);
+      else
+        bound_start(&right, facet, 1, 2, false, to, row);
+    }
   }
 }
 
 /* Rows of any triangle: each end by bisection. */
-static void cut_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
+static FC_NOINLINE void cut_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
   const fc_facet *facet = &brush->facet;
   int32_t at[3];
   uint64_t p = facet->p;
@@ -373,7 +446,7 @@ static void cut_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
 }
 
 /* A tile's triangle is in the mask: colours and light. */
-static void finish(fc_brush *brush) {
+static FC_NOINLINE void finish(fc_brush *brush) {
   fc_scan *scan = brush->scan;
   int64_t n[3];
   uint16_t i;
@@ -446,7 +519,7 @@ static void start_depth(fc_brush *brush) {
 }
 
 /* A small triangle, in one tile; false when the forms want more than 32 bits. */
-static bool draw_small(fc_brush *brush, const fc_placed_mesh *mesh, const fc_corners *corners, const fc_tile *box,
+static FC_NOINLINE bool draw_small(fc_brush *brush, const fc_placed_mesh *mesh, const fc_corners *corners, const fc_tile *box,
                        const fc_tile *tile) {
   const fc_frame *frame = brush->scan->frame;
   fc_coder *coder = &brush->coder;
@@ -470,7 +543,7 @@ static bool draw_small(fc_brush *brush, const fc_placed_mesh *mesh, const fc_cor
 }
 
 /* From screen coordinates; false when they do not tell enough. */
-static bool draw_projected(fc_brush *brush, const fc_placed_mesh *mesh, const fc_corners *corners, const fc_tile *box,
+static FC_NOINLINE bool draw_projected(fc_brush *brush, const fc_placed_mesh *mesh, const fc_corners *corners, const fc_tile *box,
                            const fc_tile *seen) {
   int32_t x, y;
   fc_tile tile;
@@ -491,7 +564,7 @@ static bool draw_projected(fc_brush *brush, const fc_placed_mesh *mesh, const fc
   return true;
 }
 
-static void draw_exactly(fc_brush *brush, const fc_tile *seen) {
+static FC_NOINLINE void draw_exactly(fc_brush *brush, const fc_tile *seen) {
   const int64_t eye[3] = {0, 0, 0};
   fc_prepared prepared;
   int32_t x, y;
@@ -534,7 +607,7 @@ static void bounds(const int32_t at[3], uint8_t fraction, uint16_t size, int32_t
   *high = fc_floor_shift32(b + middle + FC_CORNER_ERROR, fraction);
 }
 
-static void draw_item(fc_brush *brush, const fc_placed_mesh *mesh, const fc_triangle *item, uint16_t rows) {
+static FC_NOINLINE void draw_item(fc_brush *brush, const fc_placed_mesh *mesh, const fc_triangle *item, uint16_t rows) {
   fc_scan *scan = brush->scan;
   const fc_frame *frame = scan->frame;
   const fc_placed_vertex *vertices = fc_mesh_vertices(mesh);
