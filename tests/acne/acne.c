@@ -29,7 +29,7 @@ static fc_light lights[LIGHTS];
 static fc_shapes shapes;
 static fc_scene scene;
 static fc_camera camera;
-static int64_t memory[VERTICES * 2 + LIGHTS * 3 + 16];
+static int64_t memory[VERTICES * 2 + LIGHTS * 3 + 256]; /* and two bytes a triangle */
 
 static int64_t root64(int64_t v) { return (int64_t)fc_sqrt64((uint64_t)v); }
 

@@ -13,7 +13,7 @@ enum {
 };
 
 int draw(void (*send)(const uint8_t *bytes, size_t count)) {
-  static int64_t memory[12]; /* fc_frame_memory(&s1, NULL) says how many bytes */
+  static int64_t memory[20]; /* fc_frame_memory(&s1, NULL) says how many bytes */
   static uint16_t pixels[WIDTH * ROWS], depth[WIDTH * ROWS], primitive[WIDTH * ROWS];
   fc_frame frame;
   fc_target strip = {.pixels = pixels,
