@@ -266,12 +266,22 @@ static bool meets(const sweep *s, const fc_bvh_node *node) {
   return enter <= exit;
 }
 
-static void read_node(const fc_bvh *bvh, uint32_t node, fc_bvh_node *to) { FC_READ(to, bvh->nodes + (node - 1), sizeof *to); }
+static void read_node(const fc_bvh *bvh, uint32_t node, fc_bvh_node *to) {
+#ifdef FC_ROM_FAR
+  FC_READ(to, bvh->nodes + (node - 1), sizeof *to);
+#else
+  *to = bvh->nodes[node - 1];
+#endif
+}
 
 static uint16_t read_order(const fc_bvh *bvh, uint16_t at) {
+#ifdef FC_ROM_FAR
   uint16_t primitive;
   FC_READ(&primitive, bvh->order + at, sizeof primitive);
   return primitive;
+#else
+  return bvh->order[at];
+#endif
 }
 
 /* The child of `node` that a ray meets first, more or less. */

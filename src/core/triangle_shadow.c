@@ -122,22 +122,20 @@ static void ask(fc_scan *scan, uint16_t row, int32_t column, const fc_kind *kind
 static void cast(fc_scan *scan, const fc_facet *facet, const int32_t more[3], uint8_t count, const fc_kind *kind,
                  const fc_form *form) {
   /* the fourth form: at, dx, dy */
-  int32_t at[4], dx[4], dy[4], rise[4];
-  uint16_t row;
+  int32_t at[4], dx[4], dy[4], top = scan->first_row, bottom = scan->last_row, row;
   uint8_t i;
-  for (i = 0; i < 4; i++) {
+  for (i = 0; i < count; i++) {
     at[i] = i < 3 ? facet->at[i] : more[0];
     dx[i] = i < 3 ? facet->dx[i] : more[1];
     dy[i] = i < 3 ? facet->dy[i] : more[2];
-    rise[i] = dx[i] > 0 ? dx[i] * (scan->columns - 1) : 0; /* to the row's greatest value */
+    /* rows whose greatest value is above 0 */
+    fc_facet_cut(at[i] + (dx[i] > 0 ? dx[i] * (scan->columns - 1) : 0), dy[i], 0, scan->rows, &top, &bottom);
   }
-  if (count < 4) at[3] = dy[3] = rise[3] = 0;
-  for (row = 0; row <= scan->last_row; row++) {
+  for (i = 0; i < count; i++) at[i] += dy[i] * top;
+  for (row = top; row <= bottom; row++) {
     int32_t first = 0, last = scan->columns - 1, inner_first, inner_last;
     uint32_t any = 0;
-    if (row >= scan->first_row &&
-        ((at[0] + rise[0]) | (at[1] + rise[1]) | (at[2] + rise[2]) | (at[3] + rise[3])) >= 0)
-      for (i = 0; i < scan->words; i++) any |= scan->mask[row * scan->words + i];
+    for (i = 0; i < scan->words; i++) any |= scan->mask[row * scan->words + i];
     if (any != 0) {
       for (i = 0; i < count; i++) fc_facet_cut(at[i], dx[i], 0, scan->columns, &first, &last);
       if (first <= last) {
@@ -145,10 +143,10 @@ static void cast(fc_scan *scan, const fc_facet *facet, const int32_t more[3], ui
         inner_last = last;
         for (i = 0; i < count; i++) fc_facet_cut(at[i], dx[i], facet->certain, scan->columns, &inner_first, &inner_last);
         if (inner_first > inner_last) inner_first = last + 1;
-        for (; first <= last && first < inner_first; first++) ask(scan, row, first, kind, form);
+        for (; first <= last && first < inner_first; first++) ask(scan, (uint16_t)row, first, kind, form);
         if (first <= last) {
-          for (; last > inner_last; last--) ask(scan, row, last, kind, form);
-          darken(scan, row, first, last);
+          for (; last > inner_last; last--) ask(scan, (uint16_t)row, last, kind, form);
+          darken(scan, (uint16_t)row, first, last);
         }
       }
     }
@@ -220,7 +218,14 @@ static bool misses(const fc_planar *receiver, const int32_t a[3][3], int8_t sign
     }
     if (all == 0) return false;
     cut = (uint8_t)fc_clz32(all);
-    for (j = 0; j < 3; j++) e[j] = cut < 18 ? fc_floor_shift32(e[j], (uint8_t)(18 - cut)) : e[j] * (INT32_C(1) << (cut - 18));
+    if (cut < 18) {
+      cut = (uint8_t)(18 - cut);
+      e[0] = fc_floor_shift32(e[0], cut);
+      e[1] = fc_floor_shift32(e[1], cut);
+      e[2] = fc_floor_shift32(e[2], cut);
+    } else {
+      for (j = 0; j < 3; j++) e[j] *= INT32_C(1) << (cut - 18);
+    }
     n[0] = fc_floor_shift32(v[1] * e[2] - v[2] * e[1], 14);
     n[1] = fc_floor_shift32(v[2] * e[0] - v[0] * e[2], 14);
     n[2] = fc_floor_shift32(v[0] * e[1] - v[1] * e[0], 14);
@@ -261,9 +266,15 @@ void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind 
   uint8_t i, j, sides, cut[3];
   int8_t sign = 0;
   facet.certain = 0;
-  for (i = 0; i < 3; i++)
-    for (j = 0; j < 3; j++) a[i][j] = (int32_t)(form->u.triangle.vertex[i][j] - scan->frame->lights[j]); /* 30 bits each */
+  for (j = 0; j < 3; j++) { /* 30 bits each */
+    int32_t light = (int32_t)scan->frame->lights[j];
+    a[0][j] = (int32_t)form->u.triangle.vertex[0][j] - light;
+    a[1][j] = (int32_t)form->u.triangle.vertex[1][j] - light;
+    a[2][j] = (int32_t)form->u.triangle.vertex[2][j] - light;
+  }
   if (receiver->w.error >> 14 == 0 && misses(receiver, (const int32_t(*)[3])a, form->u.triangle.hidden)) return;
+  sides = sides_of(receiver, form);
+  if (!(sides & 1)) return;
   for (i = 0; i < 3; i++) {
     int64_t wide[3];
     cross(a[i], a[next(i)], wide);
@@ -281,8 +292,6 @@ void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind 
     set_form(&receiver->w, n[i], sign, cut[i], &f);
     if (!fit(scan, &f, &facet.at[i], &facet.dx[i], &facet.dy[i], &facet.certain)) return;
   }
-  sides = sides_of(receiver, form);
-  if (!(sides & 1)) return;
   if (sides & 2) {
     if (!set_passed(receiver, (const int32_t(*)[3])a, sign, &f))
       facet.certain = INT32_MAX;
