@@ -344,6 +344,25 @@ static uint32_t levels(uint16_t reflectance, uint64_t light, uint8_t most, uint8
   return product > UINT32_MAX ? UINT32_MAX : (uint32_t)product;
 }
 
+/* The level of a reflectance under ambient light, both at most 1: 15 + 16 bits; 24 + 8. */
+static inline uint8_t short_level(uint16_t reflectance, uint16_t ambient, uint8_t most) {
+  uint32_t level = ((uint32_t)reflectance * ambient >> 7) * most;
+  return (uint8_t)((level + (UINT32_C(1) << (FC_TINT_BITS - 1))) >> FC_TINT_BITS);
+}
+
+/* Final colours of a frame without lights; false when they may exceed the format. */
+static bool flat_tint(const fc_frame *frame, fc_tint *tint, const fc_material *material, uint8_t format) {
+  const fc_rgb *c = &material->diffuse, *a = &frame->scene.ambient;
+  uint8_t level[3];
+  if (c->r > FC_ONE_Q15 || c->g > FC_ONE_Q15 || c->b > FC_ONE_Q15 || a->r > FC_ONE_Q15 || a->g > FC_ONE_Q15 || a->b > FC_ONE_Q15)
+    return false;
+  level[0] = short_level(c->r, a->r, tint->most[0]);
+  level[1] = short_level(c->g, a->g, tint->most[1]);
+  level[2] = short_level(c->b, a->b, tint->most[2]);
+  fc_pixel_put(format, level, tint->unlit);
+  return true;
+}
+
 /* What the primitive's material makes of the light. */
 void fc_scan_tint(fc_scan *scan) {
   const fc_frame *frame = scan->frame;
@@ -356,6 +375,8 @@ void fc_scan_tint(fc_scan *scan) {
 #else
   material = frame->scene.materials[scan->form->material];
 #endif
+  scan->light = frame->light;
+  if (frame->light == FC_LIGHT_NONE && flat_tint(frame, tint, &material, scan->target->format)) return;
   diffuse[0] = material.diffuse.r;
   diffuse[1] = material.diffuse.g;
   diffuse[2] = material.diffuse.b;
@@ -363,7 +384,6 @@ void fc_scan_tint(fc_scan *scan) {
   ambient[1] = frame->scene.ambient.g;
   ambient[2] = frame->scene.ambient.b;
   tint->clamp = false;
-  scan->light = frame->light;
   for (i = 0; i < 3; i++) {
     uint32_t unlit = levels(diffuse[i], ambient[i], tint->most[i], 0), most = (uint32_t)tint->most[i] << FC_TINT_BITS;
     if (unlit > most) unlit = most;
