@@ -65,8 +65,8 @@ static bool locate(const fc_bvh *bvh, const fc_view *view, const int64_t point[3
       low = along - around;
       high = along + around;
       if (down >= 0) {
-        low = fc_floor_shift64(low, down > 63 ? 63 : (uint8_t)down);
-        high = ceil_shift(high, down > 63 ? 63 : (uint8_t)down);
+        low = fc_floor_shift64(low, (uint8_t)(down > 63 ? 63 : down));
+        high = ceil_shift(high, (uint8_t)(down > 63 ? 63 : down));
       } else {
         if (fc_bits64(fc_abs64(low) | fc_abs64(high)) - down > 60) return false;
         low *= INT64_C(1) << -down;

@@ -37,7 +37,7 @@ size_t fc_bvh_bytes(const fc_bvh *bvh) {
 /* With the boxes of all primitives, which are aligned again. */
 static size_t building_bytes(uint32_t count) {
   if (count == 0) return 0;
-  return (node_count(depth_for(count)) + count) * sizeof(fc_bvh_node) + (count + 1) / 2 * sizeof(uint32_t);
+  return (node_count(depth_for(count)) + count) * sizeof(fc_bvh_node) + (size_t)((count + 1) / 2) * sizeof(uint32_t);
 }
 
 static int check(const fc_scene *scene_rom, fc_scene *scene) {

@@ -33,7 +33,7 @@ typedef struct fc_placed_mesh {
   int8_t shift;        /* x, y 2^(exponent of seen - shift) times seen's mantissa / 2^32: on the screen */
   uint8_t band_shift;  /* rows of a band: 2^band_shift */
   uint16_t head[FC_BINS];
-  uint16_t unused;
+  uint16_t unused[2];  /* 144 bytes on every machine */
 } fc_placed_mesh;
 
 typedef char fc_placed_mesh_is_whole[sizeof(fc_placed_mesh) == 144 && sizeof(fc_placed_vertex) == 16 ? 1 : -1];

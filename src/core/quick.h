@@ -98,7 +98,7 @@ static inline uint32_t fc_rsqrt_q15(uint32_t m) {
   uint32_t y = fc_read_table(&fc_rsqrt_table[(m >> 24) - 64]);
   /* y (3 - x y^2) / 2: y^2 Q30, kept as Q14; x Q16: x y^2 below 1.03, Q30 */
   uint32_t xyy = (m >> 16) * ((y * y) >> 16);
-  return (y * (((3u << 30) + 0x8000u - xyy) >> 16)) >> 15;
+  return (y * (((UINT32_C(3) << 30) + 0x8000u - xyy) >> 16)) >> 15;
 }
 
 /* 2^31 / m for m in 2^15 .. 2^16-1, relative error below 2^-15: 32768 .. 65536. */
