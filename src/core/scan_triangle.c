@@ -462,8 +462,10 @@ static FC_NOINLINE void finish(fc_brush *brush) {
     if (end > brush->bottom) end = brush->bottom;
     scan->first_row = (uint8_t)(scan->y - begin);
     scan->last_row = (uint8_t)(scan->first_row + scan->rows - 1);
-    if (scan->first_row > 0)
-      memmove(scan->mask + scan->first_row * scan->words, scan->mask, sizeof scan->mask[0] * scan->rows * scan->words);
+    /* the last row first, so that none is written over before it has moved */
+    for (i = scan->first_row > 0 ? scan->rows : 0; i-- > 0;)
+      memcpy(scan->mask + (scan->first_row + i) * scan->words, scan->mask + i * scan->words,
+             sizeof scan->mask[0] * scan->words);
     scan->rows = (uint8_t)(end - begin + 1);
     scan->y = (uint16_t)begin;
   }

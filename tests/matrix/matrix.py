@@ -55,14 +55,14 @@ def cortex_m(cpu):
              "-semihosting-config", "enable=on,target=native,chardev=output", "-kernel"])
 
 
-def avr(chip):
+def avr(chip, *only):
     return Machine(
         f"{chip}, simavr", "avr-",
         flags=[f"-mmcu={chip}", "-mcall-prologues", "-DSTRIP_ROWS=1", "-DMEMORY_BYTES=1024", *BARE],
         link=["-Wl,--gc-sections"],
         port=[HERE / "avr.c"],
         run=["simavr", "-m", chip, "-f", "16000000"],
-        only=("box", "s1", "s1r"))
+        only=only)
 
 
 MACHINES = {
@@ -80,8 +80,7 @@ MACHINES = {
     "m0": cortex_m("cortex-m0"),
     "m3": cortex_m("cortex-m3"),
     "m4": cortex_m("cortex-m4"),
-    "atmega1284p": avr("atmega1284p"),
-    "atmega2560": avr("atmega2560"),
+    "atmega2560": avr("atmega2560", "box", "s1", "s1r"),
 }
 
 ALL = ("-O0", "-O1", "-O2", "-O3", "-Os", "-O2 -flto")
@@ -100,8 +99,7 @@ GRID = (
     ("m0", "gcc", ("-Os", "-O3")),
     ("m3", "gcc", ("-O2",)),
     ("m4", "gcc", ("-O2", "-O2 -flto")),
-    ("atmega1284p", "gcc", ("-Os",)),
-    ("atmega2560", "gcc", ("-O2",)),
+    ("atmega2560", "gcc", ("-Os", "-O2")),
 )
 Cell = collections.namedtuple("Cell", "machine compiler options")
 CELLS = {re.sub(r"\W+", "_", f"{machine}_{compiler}{options}"): Cell(MACHINES[machine], compiler, options)
