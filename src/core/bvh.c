@@ -266,11 +266,14 @@ static bool meets(const sweep *s, const fc_bvh_node *node) {
   return enter <= exit;
 }
 
-static void read_node(const fc_bvh *bvh, uint32_t node, fc_bvh_node *to) {
+/* A node where it lies, or its copy in `to`. */
+static inline const fc_bvh_node *node_at(const fc_bvh *bvh, uint32_t node, fc_bvh_node *to) {
 #ifdef FC_ROM_FAR
   FC_READ(to, bvh->nodes + (node - 1), sizeof *to);
+  return to;
 #else
-  *to = bvh->nodes[node - 1];
+  (void)to;
+  return bvh->nodes + (node - 1);
 #endif
 }
 
@@ -286,10 +289,10 @@ static uint16_t read_order(const fc_bvh *bvh, uint16_t at) {
 
 /* The child of `node` that a ray meets first, more or less. */
 static uint32_t nearer_child(const fc_bvh *bvh, const sweep *s, uint32_t node) {
-  fc_bvh_node a, b;
-  read_node(bvh, 2 * node, &a);
-  read_node(bvh, 2 * node + 1, &b);
-  return 2 * node + ((fc_bvh_low(a.axis[s->axis]) > fc_bvh_low(b.axis[s->axis])) != s->back);
+  fc_bvh_node copy[2];
+  uint16_t a = fc_bvh_low(node_at(bvh, 2 * node, &copy[0])->axis[s->axis]);
+  uint16_t b = fc_bvh_low(node_at(bvh, 2 * node + 1, &copy[1])->axis[s->axis]);
+  return 2 * node + ((a > b) != s->back);
 }
 
 static bool search(const fc_bvh *bvh, const fc_space *space, fc_reach *reach, fc_visit *visit, void *context) {
@@ -307,13 +310,12 @@ static bool search(const fc_bvh *bvh, const fc_space *space, fc_reach *reach, fc
   at.group.shapes.count = 0;
   at.group.first = 0;
   while (node != 0) {
-    fc_bvh_node box;
-    if (!all) {
-      if (reach->limited) s.exit = part_of(&s, reach->limit);
+    fc_bvh_node copy;
+    if (!all && reach->limited) {
+      s.exit = part_of(&s, reach->limit);
       reach->limited = false;
-      read_node(bvh, node, &box);
     }
-    if (all || meets(&s, &box)) {
+    if (all || meets(&s, node_at(bvh, node, &copy))) {
       uint16_t i, end;
       if (node < leaves) {
         node = reach->corners == 0 ? nearer_child(bvh, &s, node) : 2 * node;
@@ -377,17 +379,17 @@ static bool each_once(const fc_bvh *bvh) {
 }
 
 static bool leaf_holds(const fc_bvh *bvh, const fc_space *space, uint32_t leaf, fc_cursor *at) {
-  fc_bvh_node node;
+  fc_bvh_node copy;
+  const fc_bvh_node *node = node_at(bvh, fc_bvh_leaves(bvh) + leaf, &copy);
   int64_t box_low[3], box_high[3], origin[3];
   uint16_t i, end = fc_bvh_share(bvh, leaf + 1, bvh->depth);
   uint8_t j;
-  read_node(bvh, fc_bvh_leaves(bvh) + leaf, &node);
   origin[0] = bvh->origin.x;
   origin[1] = bvh->origin.y;
   origin[2] = bvh->origin.z;
   for (j = 0; j < 3; j++) {
-    box_low[j] = origin[j] + ((int64_t)fc_bvh_low(node.axis[j]) << bvh->shift);
-    box_high[j] = origin[j] + ((int64_t)fc_bvh_high(node.axis[j]) << bvh->shift);
+    box_low[j] = origin[j] + ((int64_t)fc_bvh_low(node->axis[j]) << bvh->shift);
+    box_high[j] = origin[j] + ((int64_t)fc_bvh_high(node->axis[j]) << bvh->shift);
   }
   for (i = fc_bvh_share(bvh, leaf, bvh->depth); i < end; i++) {
     uint16_t primitive = read_order(bvh, i), index = (uint16_t)(primitive - at->group.first);
@@ -401,12 +403,11 @@ static bool leaf_holds(const fc_bvh *bvh, const fc_space *space, uint32_t leaf, 
 }
 
 static bool holds(const fc_bvh *bvh, uint32_t node, uint32_t child) {
-  fc_bvh_node outer, inner;
+  fc_bvh_node copy[2];
+  const fc_bvh_node *outer = node_at(bvh, node, &copy[0]), *inner = node_at(bvh, child, &copy[1]);
   uint8_t j;
-  read_node(bvh, node, &outer);
-  read_node(bvh, child, &inner);
   for (j = 0; j < 3; j++)
-    if (fc_bvh_low(inner.axis[j]) < fc_bvh_low(outer.axis[j]) || fc_bvh_high(inner.axis[j]) > fc_bvh_high(outer.axis[j]))
+    if (fc_bvh_low(inner->axis[j]) < fc_bvh_low(outer->axis[j]) || fc_bvh_high(inner->axis[j]) > fc_bvh_high(outer->axis[j]))
       return false;
   return true;
 }
