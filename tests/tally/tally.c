@@ -1,5 +1,6 @@
 /*
- * How often decisions need their exact form: below 1 % on every own scene, and each form is forced at least once.
+ * How often decisions need their exact form: by rays below 1 % on every own scene, and each form is forced at least once. How
+ * many pixels and lights the scan engine leaves to the ray engine.
  *
  * The core of this program is built with FC_TALLY=count_decision; SCENES lists the baked scenes as X(name) ...
  */
@@ -16,7 +17,8 @@ void tearDown(void) {}
 enum { SIZE = 64, WORDS = 20000 };
 
 static const char *const names[FC_DECISIONS] = {"edge",   "nearer", "far or end of t", "depth code",
-                                                "facing", "side",   "pierce",          "pass a sphere"};
+                                                "facing", "side",   "pierce",          "pass a sphere",
+                                                "pixel",  "lit"};
 static unsigned long total[FC_DECISIONS], exact_forms[FC_DECISIONS];
 static int64_t memory[WORDS];
 static uint8_t pixels[SIZE * SIZE * 2];
@@ -28,12 +30,17 @@ void count_decision(fc_decision decision, bool exact) {
   if (exact) exact_forms[decision]++;
 }
 
-static void render(const fc_scene *scene, const fc_camera *camera) {
+static void render_with(int (*engine)(const fc_frame *, uint16_t, uint16_t, const fc_target *), const fc_scene *scene,
+                        const fc_camera *camera) {
   fc_target target = {pixels, SIZE * 2, FC_RGB565_BE, depth, primitive, NULL};
   memset(total, 0, sizeof total);
   memset(exact_forms, 0, sizeof exact_forms);
   TEST_ASSERT_EQUAL_INT(FC_OK, fc_frame_setup(&frame, scene, camera, NULL, SIZE, SIZE, memory, sizeof memory));
-  TEST_ASSERT_EQUAL_INT(FC_OK, fc_render_rows(&frame, 0, SIZE, &target));
+  TEST_ASSERT_EQUAL_INT(FC_OK, engine(&frame, 0, SIZE, &target));
+}
+
+static void render(const fc_scene *scene, const fc_camera *camera) {
+  render_with(fc_render_rows_by_rays, scene, camera);
 }
 
 #define X(name) \
@@ -52,13 +59,33 @@ static void measure(const char *name, const fc_scene *scene, const fc_camera *ca
     if (total[i] > 0)
       printf("%-6s %-16s %9lu decisions %6lu exact %8.4f %%\n", name, names[i], total[i], exact_forms[i],
              100.0 * (double)exact_forms[i] / (double)total[i]);
-    if (total[i] >= 1000) TEST_ASSERT_TRUE_MESSAGE(exact_forms[i] * 100 < total[i], names[i]);
+    /* Box has 64 pixels exactly on each diagonal of its faces: those ties stay exact however few decisions a cull leaves. */
+    if (total[i] >= 1000 && exact_forms[i] * 50 >= SIZE * SIZE)
+      TEST_ASSERT_TRUE_MESSAGE(exact_forms[i] * 100 < total[i], names[i]);
   }
   TEST_ASSERT_TRUE_MESSAGE(all_exact * 100 < all, name);
 }
 
 static void test_exact_forms_are_rare_on_own_scenes(void) {
 #define X(name) measure(#name, &name, &name##_camera);
+  SCENES
+#undef X
+}
+
+/* A pixel or light that the fast forms leave open costs as much as a ray: at most one shown pixel in 20 may, and one in 5 of
+ * fight, whose surfaces share their planes so that only the exact order tells them apart; and one light in 100. */
+static void measure_scan(const char *name, const fc_scene *scene, const fc_camera *camera) {
+  int shown = 0, i;
+  render_with(fc_render_rows, scene, camera);
+  for (i = 0; i < SIZE * SIZE; i++) shown += primitive[i] != 0xffff;
+  printf("%-6s scan: %d pixels shown, %lu pixels and %lu lights left open\n", name, shown, total[FC_DECIDE_PIXEL],
+         total[FC_DECIDE_LIT]);
+  TEST_ASSERT_TRUE_MESSAGE(total[FC_DECIDE_PIXEL] * (strcmp(name, "fight") == 0 ? 5 : 20) < (unsigned long)shown, name);
+  TEST_ASSERT_TRUE_MESSAGE(total[FC_DECIDE_LIT] * 100 < (unsigned long)shown, name);
+}
+
+static void test_scan_engine_leaves_little_open(void) {
+#define X(name) measure_scan(#name, &name, &name##_camera);
   SCENES
 #undef X
 }
@@ -138,9 +165,10 @@ static void test_forces_far(void) {
   for (i = 0; i < SIZE * SIZE; i++) TEST_ASSERT_EQUAL_UINT16(0, primitive[i]);
 }
 
-/* near / z = 40961 / 65536, half way between two codes of the format with 14 mantissa bits. */
+/* near / z = 34181 / 65536, half way between two codes of the format with 14 mantissa bits: near is 34193 less the 12 that
+ * fc_depth_choose leaves free. */
 static void test_forces_depth(void) {
-  static const fc_vec3 vertices[] = {{-65536, -65536, -40961}, {-65536, -65535, -40961}, {-65535, -65536, -40961},
+  static const fc_vec3 vertices[] = {{-65536, -65536, -34193}, {-65536, -65535, -34193}, {-65535, -65536, -34193},
                                      {-99999, -99999, -65536}, {99999, -99999, -65536},  {0, 199999, -65536}};
   static const fc_triangle triangles[] = {{{0, 1, 2}, 0, 1}, {{3, 4, 5}, 0, 2}};
   start();
@@ -148,7 +176,7 @@ static void test_forces_depth(void) {
   render(&scene, &camera);
   TEST_ASSERT_EQUAL_UINT8(2, frame.depth_exponent_bits);
   TEST_ASSERT_GREATER_THAN_UINT(SIZE * SIZE / 2, exact_forms[FC_DECIDE_DEPTH]);
-  TEST_ASSERT_EQUAL_HEX16(0xc000 + 0x1001, depth[SIZE * SIZE / 2 + SIZE / 2]); /* 3 octaves down, 4096.5 rounded up */
+  TEST_ASSERT_EQUAL_HEX16(0xc000 + 707, depth[SIZE * SIZE / 2 + SIZE / 2]); /* 706.5 rounded up */
 }
 
 /* A light in the tangent plane of what a pixel shows, as nearly as it can be said: on a grid as fine as the camera's. */
@@ -194,6 +222,7 @@ static void test_forces_pass(void) {
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_exact_forms_are_rare_on_own_scenes);
+  RUN_TEST(test_scan_engine_leaves_little_open);
   RUN_TEST(test_forces_edge);
   RUN_TEST(test_forces_nearer_and_side);
   RUN_TEST(test_forces_pierce);
