@@ -68,7 +68,8 @@ size_t fc_frame_memory(const fc_scene *scene, int *error);
 int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *camera, const fc_options *options,
                    uint16_t width, uint16_t height, void *memory, size_t memory_bytes);
 
-/* Renders rows y .. y + rows - 1 with the scan engine. Returns FC_OK or an error (nothing is written then). */
+/* Renders rows y .. y + rows - 1 with the scan engine. Returns FC_OK or an error (nothing is written then). Strips are
+ * independent: two cores may draw strips of one frame at the same time, each into its own target, in any order (README). */
 int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
 
 /* The same by the ray engine, a ray a pixel: slow, and the definition. Visible primitives, lights that reach them and

@@ -12,15 +12,19 @@ problems = []
 
 header = (root / "host_sim/scenes/s1.h").read_text(encoding="utf-8")
 tables = header[header.index("static const"):header.rindex("#endif")].strip()
-program = (root / "tests/consumer/main.c").read_text(encoding="utf-8")
-draw = program[program.index("/* README: begin */") + len("/* README: begin */"):program.index("/* README: end */")].strip()
+def marked(path):
+    """The part of a program between the marks."""
+    program = (root / path).read_text(encoding="utf-8")
+    return program.split("/* README: begin */")[1].split("/* README: end */")[0].strip()
+
 
 blocks = [block.strip() for block in re.findall(r"```c\n(.*?)```", readme, re.S)]
-for name, code in (("host_sim/scenes/s1.h", tables), ("tests/consumer/main.c", draw)):
+for name, code in (("host_sim/scenes/s1.h", tables), ("tests/consumer/main.c", marked("tests/consumer/main.c")),
+                   ("tests/twocores/example.c", marked("tests/twocores/example.c"))):
     if code not in blocks:
         problems.append(f"README.md has no C block equal to the marked part of {name}")
-if len(blocks) != 2:
-    problems.append(f"README.md has {len(blocks)} C blocks; 2 are checked")
+if len(blocks) != 3:
+    problems.append(f"README.md has {len(blocks)} C blocks; 3 are checked")
 
 makefile = (root / "Makefile").read_text(encoding="utf-8")
 for target in re.findall(r"\bmake ([a-z-]+)", readme):
