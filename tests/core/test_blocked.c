@@ -84,6 +84,7 @@ static void test_triangle_blocks(void) {
 static void random_form(int kind, fc_form *form) {
   int i, j;
   uint8_t bits = (uint8_t)(6 + random_u64() % 24);
+  memset(form, 0, sizeof *form);
   for (i = 0; i < 3; i++) {
     if (kind == 0) form->u.sphere.center[i] = random_any_size(bits);
     if (kind == 1) form->u.plane.normal[i] = random_any_size(29);
@@ -124,6 +125,7 @@ static void test_g2_fallbacks_agree_with_filters(void) {
       segment.light[i] = random_any_size(30);
       if (trial & 8) segment.light[i] *= INT64_C(1) << (trial / 16 % 30); /* suns */
     }
+    segment.outside = false;
     segment.root = &root[0];
     segment.origin = eye;
     segment.direction = d;
@@ -157,6 +159,7 @@ static void test_g2_filters_hold_beside_edges_and_tangents(void) {
     bool quick, exact;
     int j;
     memset(&segment, 0, sizeof segment);
+    memset(&form, 0, sizeof form);
     for (j = 0; j < 3; j++) {
       segment.point[j] = random_any_size(28);
       segment.light[j] = random_any_size(28);
@@ -221,6 +224,7 @@ static void test_g9_a_sphere_does_not_shadow_itself(void) {
     fc_kind_sphere.prepare(&form, eye, &prepared);
     if (fc_i128_sign(prepared.u.sphere.c) < 0 || fc_kind_sphere.test(&prepared, d, root) == 0) continue;
     for (i = 0; i < 3; i++) segment.light[i] = random_any_size(30);
+    segment.outside = false;
     segment.root = &root[0];
     segment.origin = eye;
     segment.direction = d;
