@@ -4,6 +4,16 @@
 
 #include <stdint.h>
 
+/* Inner loops stay functions of their own: a caller's variables would crowd them out of the registers. What runs once a
+ * frame or once in a thousand pixels is kept small rather than fast, and out of the way. */
+#if defined(__GNUC__)
+#define FC_NOINLINE __attribute__((noinline))
+#define FC_COLD __attribute__((noinline, cold))
+#else
+#define FC_NOINLINE
+#define FC_COLD
+#endif
+
 /* Leading zeros of a non-zero word. */
 static inline uint8_t fc_clz64(uint64_t v) {
 #if defined(__GNUC__)

@@ -18,13 +18,6 @@
 #define FC_SHORT_MULTIPLIER 1
 #endif
 
-/* Inner loops stay functions of their own: a caller's variables would crowd them out of the registers. */
-#if defined(__GNUC__)
-#define FC_NOINLINE __attribute__((noinline))
-#else
-#define FC_NOINLINE
-#endif
-
 /* a * b. */
 static inline uint64_t fc_mul32(uint32_t a, uint32_t b) {
 #ifdef FC_SHORT_MULTIPLIER
