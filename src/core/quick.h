@@ -86,6 +86,12 @@ static inline uint16_t fc_read_table(const uint16_t *entry) {
   return v;
 }
 
+#if defined(__GNUC__)
+/* In loops, whatever else uses them. */
+static inline uint32_t fc_rsqrt_q15(uint32_t m) __attribute__((always_inline));
+static inline uint32_t fc_recip_q31(uint32_t m) __attribute__((always_inline));
+#endif
+
 /* 1 / sqrt(x) for x = m / 2^32 in [1/4, 1): Q15 in 32768..65536; relative error below 2^-14. */
 static inline uint32_t fc_rsqrt_q15(uint32_t m) {
   uint32_t y = fc_read_table(&fc_rsqrt_table[(m >> 24) - 64]);
