@@ -67,11 +67,13 @@ bool fc_sphere_window(const fc_frame *frame, const fc_group *group, uint16_t ind
  */
 typedef struct ball_light {
   int32_t at, dx, dy;     /* D.(L - C) near / (F r l) at the tile's first pixel and its steps, times a power of two */
-  int16_t shift;          /* s + s0 = that * 2^31 / m / 2^(16 + shift) / 2^24, m the first 16 bits of p; less p's octave */
-  int32_t away, h, sum;   /* Q24; away = s0 + h, sum = 1 + h^2 */
-  int32_t margin;         /* Q24: bound on the error of s from 16 bits of p */
+  int16_t shift;          /* s + s0 = that * 2^31 / m / 2^(16 + shift) / 2^22, m the first 16 bits of p; less p's octave */
+  int32_t away, h, sum;   /* Q22; away = s0 + h, sum = 1 + h^2 */
+  int32_t margin;         /* Q22: bound on the error of s from 16 bits of p */
   int32_t fine_margin;    /* ... and refined */
   uint8_t octave, octaves; /* p of fewer bits, or octaves or more above them, is left to the ray engine */
+  uint8_t width;          /* cosine[i]: Q15, at s - h = i 2^width in Q22 */
+  uint16_t cosine[66];
   fc_quick depth;         /* near 2^(30 + drop) / F: over p it is t */
   uint8_t occluders;      /* MANY: more than the list holds */
   struct {
@@ -125,6 +127,33 @@ static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
   (void)fc_space_search(&space, &reach, add_occluder, &list);
 }
 
+/* The cosines that shade_row needs; false when there would be too many. */
+static FC_COLD bool set_cosines(ball_light *light) {
+  /*
+   * (s - h) / sqrt(q), q = 1 + h^2 - 2 s h, bends by 2 h q^-3/2 + 3 h^2 (s - h) q^-5/2, most at s = 1. With g = 1 - h a chord over
+   * w is off by w^2 / 8 (2 h g + 3 h^2) / g^4 at most: 2^-11 when w^2 (2 h g + 3 h^2) <= 2^-8 g^4. (Half of it more up to w behind
+   * s = 1, as q^-5/2 grows by a fifth there.)
+   */
+  const uint32_t whole = (UINT32_C(1) << 22) - (uint32_t)light->h, h = (uint32_t)light->h >> 7, g = whole >> 7; /* Q15 */
+  /* w^2 (2 h g + 3 h^2) 2^8, w = 1/4, and g^4 in Q20; products are Q30, below 2.1 */
+  uint32_t bend = (2 * g + 3 * h) * h >> 6, least = (g * g >> 15) * (g * g >> 15) >> 10, e, i;
+  uint8_t width = 20;
+  while (bend > least) {
+    bend >>= 2;
+    width--;
+  }
+  if (whole >> width >= FC_COUNT_OF(light->cosine) - 1) return false;
+  light->width = width;
+  for (i = 0, e = 0; i <= (whole >> width) + 1; i++, e += UINT32_C(1) << width) {
+    /* Q15 * Q15; at least (1 - h)^2 - 2 h w > 2^-5 */
+    uint32_t x = (uint32_t)light->sum - ((((e + (uint32_t)light->h) >> 7) * h) >> 7);
+    uint8_t up = 15;
+    for (x <<= 8; x < UINT32_C(1) << 30; x <<= 2) up--;
+    light->cosine[i] = (uint16_t)((((e >> 7) * fc_rsqrt_q15(x)) >> up) >> 1); /* below 1.5 */
+  }
+  return true;
+}
+
 /* p: near / z = p / 2^(30 + drop), off by at most `error`. */
 static FC_COLD uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop, uint32_t error) {
   const int64_t *c = scan->form->u.sphere.center;
@@ -144,23 +173,24 @@ static FC_COLD uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t
   inverse = fc_quick_rsqrt(fc_quick_from(square, 0)); /* 1 / l */
   ratio = fc_quick_mul(inverse, fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0));
   if (!fc_quick_less(ratio, near)) return LIGHT_SLOW;
-  light->h = fc_quick_to_int(ratio, 24);
-  /* 1 + h^2 - 2 s h is cut to 2^-13.4; from (1 - h)^2 = 2^-4 on that costs the cosine 2^-10 of itself */
-  if (light->h > (INT32_C(3) << 22)) return LIGHT_SLOW;
-  light->sum = (INT32_C(1) << 24) + (int32_t)(fc_smul32(light->h, light->h) >> 24);
+  light->h = fc_quick_to_int(ratio, 22);
+  /* 1 + h^2 - 2 s h, at least (1 - h)^2, is cut to 2^-14; from 2^-4 on that costs the cosine 2^-11 of itself */
+  if (light->h > (INT32_C(3) << 20)) return LIGHT_SLOW;
+  light->sum = (INT32_C(1) << 22) + (int32_t)(fc_smul32(light->h, light->h) >> 22);
+  if (!set_cosines(light)) return LIGHT_SLOW;
   inverse = fc_quick_mul(inverse, fc_quick_recip(fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0))); /* 1 / (r l) */
   center_light = fc_small_dot(c, l); /* 30 + 31 bits and two: below 2^63 */
   unit = fc_quick_mul(inverse, fc_quick_from(fc_abs64(center_light), 0));
   if (!fc_quick_less(unit, fc_quick_from(64, 0))) return LIGHT_SLOW;
-  s0 = fc_quick_times(inverse, center_light, 24);
+  s0 = fc_quick_times(inverse, center_light, 22);
   light->away = s0 + light->h;
-  light->fine_margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 24)) >> 19) + 64;
-  light->margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 24)) >> 13) + 64;
+  light->fine_margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 22)) >> 19) + 16;
+  light->margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 22)) >> 13) + 16;
   /* The cosine grows by (1 - s h) / (1 + h^2 - 2 s h)^(3/2) <= 1 / (1 - h)^2 times an error of s, which may cost 2^-9, half a
    * level in 255: if 16 bits of p do not do, all are refined. */
-  gap = (uint32_t)((INT32_C(1) << 24) - light->h) >> 9;
-  if (light->fine_margin >= (int32_t)(gap * gap >> 15)) return LIGHT_SLOW;
-  if (light->margin >= (int32_t)(gap * gap >> 15)) light->margin = INT32_MAX;
+  gap = (uint32_t)((INT32_C(1) << 22) - light->h) >> 7;
+  if (light->fine_margin >= (int32_t)(gap * gap >> 17)) return LIGHT_SLOW;
+  if (light->margin >= (int32_t)(gap * gap >> 17)) light->margin = INT32_MAX;
   /* D below 2^30, l below 2^31: sums of three below 2^63 */
   at = fc_small_dot(d, l);
   most = (int64_t)fc_abs64(at) / 2 + (int64_t)fc_abs64(l[0] * step) / 2 * scan->columns +
@@ -175,12 +205,12 @@ static FC_COLD uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t
   light->at = fc_quick_times(unit, at, shift);
   light->dx = fc_quick_times(unit, l[0] * step, shift);
   light->dy = fc_quick_times(unit, -l[1] * step, shift);
-  shift = (int16_t)(shift - 54 - drop);
-  /* p's error may cost 2^-20 of s + s0, and octave + shift is a shift of -8 .. 31; a floor before the former is 2^-16, below
+  shift = (int16_t)(shift - 52 - drop);
+  /* p's error may cost 2^-20 of s + s0, and octave + shift is a shift of 0 .. 31; a floor before the former is 2^-16, below
    * the margins where s0 is that large */
   lowest = (int16_t)(20 + fc_bits64(error));
   highest = 31;
-  if (lowest < -shift - 8) lowest = (int16_t)(-shift - 8);
+  if (lowest < -shift) lowest = (int16_t)-shift;
   if (highest > 31 - shift) highest = (int16_t)(31 - shift);
   if (lowest > highest) return LIGHT_SLOW;
   light->octave = (uint8_t)lowest;
@@ -271,56 +301,53 @@ static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint1
   return false;
 }
 
-/* v / 2^down, floored, for down from -8: what is scaled up is below 2^30 after it. */
-static inline int32_t scaled_back(int32_t v, int16_t down) {
-  return down >= 0 ? fc_floor_shift32(v, (uint8_t)down) : v * (INT32_C(1) << -down);
+/* along 2^31 / v, v of that octave, less `away` */
+static inline int32_t over(int32_t along, uint32_t r, uint8_t down, int32_t away) {
+  /* along within 2^30, r within 2^16 */
+  int32_t e = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16);
+  return fc_floor_shift32(e, down) - away;
 }
 
 /* s - h of a pixel, refined. */
 static FC_COLD int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
   uint32_t r = fc_recip_q31(p >> (octave - 15));
-  int32_t s = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16);
+  int32_t s = over(along, r, 0, 0);
   /* times 1 + rest with rest = 1 - x r, below 2^-13 */
   int32_t rest = (INT32_C(1) << 30) - (int32_t)fc_mulhi32(p << (31 - octave), r << 15);
   s += fc_floor_shift32(fc_floor_shift32(s, 17) * rest, 13);
-  return scaled_back(s, (int16_t)(octave + light->shift)) - light->away;
+  return fc_floor_shift32(s, (uint8_t)(octave + light->shift)) - light->away;
 }
 
-/* Turns p of the pixels in `bits` into s - h in Q24; returns those that are within the margin, or out of reach, and in
+/* Turns p of the pixels in `bits` into s - h in Q22; returns those that are within the margin, or out of reach, and in
  * *averted those that do not face the light. */
 static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *p, uint32_t *averted) {
-  const int32_t dx = light->dx, away = light->away;
-  const uint32_t margin = (uint32_t)light->margin;
-  const int16_t shift = light->shift;
-  const uint8_t lowest = light->octave, octaves = light->octaves;
-  uint32_t low = UINT32_C(1) << 31, open = 0, dark = 0, bit = 1;
-  uint8_t octave = 31;
+  const int32_t dx = light->dx, away = light->away, margin = light->margin;
+  uint32_t low = 0, open = 0, dark = 0, bit = 1;
+  uint8_t octave = 0, down = 0, cut = 0;
   for (; bits != 0; bits >>= 1, bit <<= 1, p++, along += dx) {
-    uint32_t v = *p, r;
+    uint32_t v = *p;
     int32_t e;
     if (!(bits & 1)) continue;
-    while (v < low) {
-      low >>= 1;
-      octave--;
+    if (v - low >= low) {
+      octave = (uint8_t)(31 - fc_clz32(v));
+      low = UINT32_C(1) << octave;
+      if ((uint8_t)(octave - light->octave) > light->octaves) {
+        low = 0;
+        open |= bit;
+        continue;
+      }
+      cut = (uint8_t)(octave - 15);
+      down = (uint8_t)(octave + light->shift);
     }
-    while (v >> 1 >= low) {
-      low <<= 1;
-      octave++;
+    e = over(along, fc_recip_q31(v >> cut), down, away);
+    if (e <= margin) {
+      if (e >= -margin) {
+        int32_t fine = light->fine_margin;
+        e = refined(light, along, v, octave);
+        if (e >= -fine && e <= fine) open |= bit;
+      }
+      if (e < 0) dark |= bit;
     }
-    if ((uint8_t)(octave - lowest) > octaves) {
-      open |= bit;
-      continue;
-    }
-    r = fc_recip_q31(v >> (octave - 15));
-    /* along within 2^30, r within 2^16 */
-    e = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16);
-    e = scaled_back(e, (int16_t)(octave + shift)) - away;
-    if ((uint32_t)e + margin <= 2 * margin) {
-      int32_t fine = light->fine_margin;
-      e = refined(light, along, v, octave);
-      if (e >= -fine && e <= fine) open |= bit;
-    }
-    if (e < 0) dark |= bit;
     *p = (uint32_t)e;
   }
   *averted = dark & ~open;
@@ -330,21 +357,19 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
 /* Colours the pixels of a row in `bits` from s - h > 0 of each. */
 static FC_NOINLINE void shade_row(const ball_light *restrict light, const fc_tint *restrict tint, uint32_t bits,
                                   const uint32_t *restrict p, uint8_t *restrict to, uint8_t pixel_bytes) {
-  const uint32_t sum = (uint32_t)light->sum, h = (uint32_t)light->h >> 9, whole = (UINT32_C(1) << 24) - (uint32_t)light->h;
-  const uint32_t start = (uint32_t)light->h >> 8;
+  const uint32_t whole = (UINT32_C(1) << 22) - (uint32_t)light->h;
+  const uint8_t width = light->width, rest = (uint8_t)(32 - width);
   for (; bits != 0; bits >>= 1, to += pixel_bytes, p++) {
-    uint32_t e = *p, g;
-    uint8_t up = 15;
+    uint32_t e = *p, c; /* the cosine grows with e */
+    const uint16_t *at;
     if (!(bits & 1)) continue;
     if (e > whole) e = whole;
-    /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
-    g = (sum - (((e >> 8) + start) * h >> 6)) << 6;
-    while (g < UINT32_C(1) << 30) {
-      g <<= 2;
-      up--;
-    }
-    e = ((e >> 9) * fc_rsqrt_q15(g)) >> up;
-    fc_tint_put(tint, e > 65536 ? 65536 : e, to);
+    at = light->cosine + (e >> width);
+    /* a difference below 2^16, 15 bits of a width */
+    c = at[0];
+    c = 2 * c + (((at[1] - c) * ((e << rest) >> 17)) >> 14);
+    if (c >> 16) c = UINT32_C(1) << 16;
+    fc_tint_put(tint, c, to);
   }
 }
 
@@ -386,7 +411,7 @@ typedef struct sphere_forms {
   fc_cone cone;
   int64_t b, b_dx;      /* C.W in units of sqrt(f) with 32 more bits; in a word it may drift by half a unit a pixel */
   uint32_t b_step;
-  uint64_t bend;        /* 28 dxx */
+  uint64_t bend;        /* 120 dxx */
   uint32_t ddm;         /* for root_run */
   uint32_t half;
   uint8_t fine;
@@ -467,11 +492,11 @@ static FC_NOINLINE void set_row(const fc_scan *scan, const sphere_forms *ball, s
 }
 
 /* Pixels between two steps of the forms in 64 bits. */
-#define ROOTS 8
+#define ROOTS 16
 
 /*
  * p of the next pixels, which are inside. Between steps f is followed in 31 bits, its difference with `fine` bits more: f is off
- * by its own cut, 7 halves from those of the difference, and 2^-fine times 7 + 21 / 2 from the rounding of both differences.
+ * by its own cut, 15 halves from those of the difference, and 2^-fine times 15 + 105 / 2 from the rounding of both differences.
  */
 static FC_NOINLINE void root_run(const sphere_forms *ball, sphere_row *at, uint32_t *to, uint8_t count) {
   const uint8_t down = (uint8_t)(33 - ball->lift), fine = ball->fine;
@@ -498,10 +523,10 @@ static FC_NOINLINE void root_run(const sphere_forms *ball, sphere_row *at, uint3
       dm = fc_to_i32((uint32_t)dm + ddm);
       b += b_dx;
     } while (to != end);
-    /* 8 on: f + 8 dx + 28 dxx */
-    at->f += (at->dx << 3) + ball->bend;
-    at->dx += (uint64_t)ball->cone.dxx << 3;
-    at->b += (uint64_t)ball->b_dx << 3;
+    /* 16 on: f + 16 dx + 120 dxx */
+    at->f += (at->dx << 4) + ball->bend;
+    at->dx += (uint64_t)ball->cone.dxx << 4;
+    at->b += (uint64_t)ball->b_dx << 4;
   }
 }
 
@@ -635,31 +660,31 @@ static FC_COLD void set_ball(const fc_scan *scan, const fc_placed_sphere *placed
     low += (turn < 0 ? turn : 0) + bend;
     bits = fc_bits64(fc_abs64(low) | fc_abs64(high));
     ball->fine = bits + 1 >= 31 + down ? 0 : (uint8_t)(30 + down - bits);
-    if (ball->fine > 4) ball->fine = 4;
+    if (ball->fine > 6) ball->fine = 6;
     if (ball->fine > down - 1) ball->fine = (uint8_t)(down - 1);
     ball->half = (UINT32_C(1) << ball->fine) >> 1;
     down = (uint8_t)(down - ball->fine);
     ball->ddm = (uint32_t)(uint64_t)fc_floor_shift64(ball->cone.dxx + (INT64_C(1) << (down - 1)), down);
-    ball->bend = (uint64_t)ball->cone.dxx * 28;
+    ball->bend = (uint64_t)ball->cone.dxx * 120;
   }
   /*
    * sqrt(f) is good from f = 2^(2t) on. In units of p = (b + sqrt(f)) 2^gain the form's error e costs e 2^gain / 2^t there,
    * if e is below half of f; a unit of root_run's 31 bits costs 2^16 / sqrt(2 m) / 2^half_lift = 2^(32 - t - lift / 2 - half_lift),
-   * and it is off by 5 + 22 / 2^fine. t makes the former less than 32 and the latter less than 64, unless that would leave out more
+   * and it is off by 9 + 68 / 2^fine. t makes the former less than 32 and the latter little more, unless that would leave out more
    * than 2^-10 of the greatest f.
    */
   {
     uint8_t bits = fc_bits64((uint64_t)ball->cone.error), root = ball->lift / 2;
-    const uint32_t loose = 5 + (22u >> ball->fine);
-    int16_t t = (int16_t)(bits + gain - 5), most = (int16_t)(27 - root), least = (int16_t)(29 - root - ball->half_lift), cost;
+    const uint32_t loose = 10 + (68u >> ball->fine);
+    int16_t t = (int16_t)(bits + gain - 5), most = (int16_t)(27 - root), least = (int16_t)(30 - root - ball->half_lift), cost;
     if (t < least) t = least;
     if (t > most) t = most;
     if (2 * t < bits + 1) t = (int16_t)((bits + 2) / 2);
     ball->inside = 2 * t < 32 ? 0 : (int32_t)((INT64_C(1) << 2 * t) >> 32);
     if (t < 16) t = 16; /* a whole word above 0 */
     cost = (int16_t)(32 - t - root - ball->half_lift);
-    /* the root's error (32 before the shift); the two above; b's rounding and drift over 8 pixels, and the factors' cuts */
-    ball->error = (32u >> ball->half_lift) + (uint32_t)((ball->cone.error << gain) >> t) + 10;
+    /* the root's error (32 before the shift); the two above; b's rounding and drift over 16 pixels, and the factors' cuts */
+    ball->error = (32u >> ball->half_lift) + (uint32_t)((ball->cone.error << gain) >> t) + 14;
     ball->error += cost >= 0 ? loose << cost : (loose >> -cost) + 1;
   }
 }
