@@ -800,30 +800,34 @@ FC_COLD bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const
  * distances compare for certain beyond `slack`. With both ends clearly outside, the segment is blocked iff its inner points
  * come within the radius.
  */
-static FC_COLD int8_t glance(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
-  int64_t a[3], b[3], ab = 0, apart, out, in;
-  uint32_t aa = 0, bb = 0; /* below 3 * 2^30 */
-  uint64_t across, square, most = (uint64_t)form->u.sphere.radius;
+static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+  int64_t ab = 0, apart;
+  int32_t a[3], b[3], out, in; /* a and b below 2^31 */
+  uint32_t aa = 0, bb = 0;     /* below 3 * 2^30 */
+  uint64_t across, square;
+  uint32_t most = (uint32_t)form->u.sphere.radius | 1;
   uint8_t i, bits, shift;
   for (i = 0; i < 3; i++) {
-    a[i] = form->u.sphere.center[i] - light[i];
-    b[i] = point[i] - light[i];
-    most |= fc_abs64(a[i]) | fc_abs64(b[i]);
+    int32_t l = (int32_t)light[i];
+    a[i] = (int32_t)form->u.sphere.center[i] - l;
+    b[i] = point[i] - l;
+    most |= fc_abs32(a[i]) | fc_abs32(b[i]);
   }
-  bits = fc_bits64(most);
+  bits = (uint8_t)(32 - fc_clz32(most));
   shift = bits > 15 ? (uint8_t)(bits - 15) : 0;
-  out = 2 * (int64_t)(error >> shift) + 8; /* sqrt(3) (1 + error + 1 + 1) + 1 < 2 error + 6.2, the error floored */
+  out = 2 * (int32_t)(error >> shift) + 8; /* sqrt(3) (1 + error + 1 + 1) + 1 < 2 error + 6.2, the error floored */
   if (out > 4096) return -1;
   for (i = 0; i < 3; i++) {
-    int32_t x = (int32_t)fc_floor_shift64(a[i], shift), y = (int32_t)fc_floor_shift64(b[i], shift);
+    int32_t x = fc_floor_shift32(a[i], shift), y = fc_floor_shift32(b[i], shift);
     aa += (uint32_t)(x * x);
     ab += x * y;
     bb += (uint32_t)(y * y);
   }
-  in = (form->u.sphere.radius >> shift) - out; /* below 2^15 */
-  out += form->u.sphere.radius >> shift;
+  in = (int32_t)((uint32_t)form->u.sphere.radius >> shift); /* below 2^15 */
+  out += in;
+  in += in - out;
   apart = (int64_t)aa + bb - 2 * ab; /* |a - b|^2 */
-  if (aa <= out * out || apart <= out * out) return -1;
+  if (aa <= (uint32_t)(out * out) || apart <= out * out) return -1;
   if (ab <= 0 || ab >= bb) return 0; /* the nearest point is an end */
   across = fc_mul32(aa, bb) - fc_mul32((uint32_t)ab, (uint32_t)ab); /* squared distance from the line, times bb; ab < bb */
   square = fc_mul32((uint32_t)(out * out), bb);                     /* 31 + 32 bits */
@@ -939,42 +943,63 @@ static FC_COLD uint32_t shade_some(const fc_scan *scan, const shadow_test *test,
   return dark;
 }
 
+static FC_COLD uint64_t square_of(const int64_t v[3]) {
+  uint64_t sum = 0;
+  uint8_t i;
+  for (i = 0; i < 3; i++) sum += (uint64_t)(v[i] * v[i]);
+  return sum;
+}
+
 void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   const int64_t *c = form->u.sphere.center;
   int64_t center[3], radius = form->u.sphere.radius;
   fc_cone cone;
-  fc_window doubt;
   ahead_form ahead;
   uint16_t row;
   uint8_t i;
   int8_t everywhere;
-  int64_t bulge;
+  int64_t bulge, sag, last;
+  uint64_t last_dy, steps = (uint64_t)scan->columns - 1;
+  bool known = false;
   shadow_test clear;
   for (i = 0; i < 3; i++) center[i] = c[i] - scan->frame->lights[i]; /* below 2^31 */
-  if (fc_i128_compare(fc_i128_dot(center, center), fc_i128_mul(radius, radius)) <= 0) {
+  /* squares below 2^62, three of them below 2^64 */
+  if (square_of(center) <= (uint64_t)(radius * radius)) {
     fc_planar_ask(scan, kind, form); /* the light inside the sphere, or on it */
     return;
   }
   everywhere = set_ahead(scan, receiver, center, &ahead);
-  if (everywhere < 0 || !fc_planar_faces_ball(scan, receiver, c, radius, &doubt)) return;
+  if (everywhere < 0) return;
   fc_cone_setup(&cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
   clear.dark = cone.error;
   clear.lit = -cone.error;
   clear.everywhere = everywhere;
   clear.ahead = ahead;
-  clear.doubt = doubt;
   clear.kind = kind;
   clear.form = form;
   /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|; f, below 2^62,
    * bends by 8 dxx over 8 columns */
   bulge = scan->columns < 8 ? 0 : (int64_t)fc_abs64(cone.dxx);
+  sag = (int64_t)((uint64_t)bulge * ((steps * steps + 15) >> 4));
+  last = fc_to_i64((uint64_t)cone.f + (uint64_t)cone.dx * steps + (uint64_t)cone.dxx * (steps * (steps - 1) / 2));
+  last_dy = (uint64_t)cone.dy + (uint64_t)cone.dxy * steps;
   for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(&cone)) {
     uint64_t f = (uint64_t)cone.f, dx = (uint64_t)cone.dx;
     const uint64_t dxx = (uint64_t)cone.dxx;
     uint16_t column = 0;
     uint8_t word;
-    if (row < scan->first_row) continue;
-    clear.doubted = scan->y + row >= doubt.y0 && scan->y + row <= doubt.y1;
+    /* nor does f reach beyond the chord over the row by more than (columns - 1)^2 / 8 |dxx|; halves, which fit */
+    {
+      int64_t high = fc_to_i64(f) > last ? fc_to_i64(f) : last;
+      last = fc_to_i64((uint64_t)last + last_dy);
+      last_dy += (uint64_t)cone.dyy;
+      if (row < scan->first_row || (bulge != 0 && fc_floor_shift64(high, 1) + sag < fc_floor_shift64(clear.lit, 1) - 1)) continue;
+    }
+    if (!known) {
+      if (!fc_planar_faces_ball(scan, receiver, c, radius, &clear.doubt)) return;
+      known = true;
+    }
+    clear.doubted = scan->y + row >= clear.doubt.y0 && scan->y + row <= clear.doubt.y1;
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
       /* 32 columns on: f + 32 dx + 496 dxx */
