@@ -43,9 +43,11 @@ bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
 
 void fc_scan_slowly(fc_scan *scan) {
   uint16_t row, column;
-  for (row = scan->first_row; row <= scan->last_row; row++)
+  for (row = scan->first_row; row <= scan->last_row; row++) {
+    if (fc_scan_skips(scan, row)) continue;
     for (column = 0; column < scan->columns; column++)
       if (fc_scan_exact(scan, row, column)) scan->mask[row * scan->words + column / 32] |= UINT32_C(1) << (column % 32);
+  }
 }
 
 /* The surface point behind a visible pixel. */
@@ -63,6 +65,7 @@ bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_surface surface;
   int64_t d[3];
+  if (scan->frame->options.profile == FC_PROFILE_FAST) return true;
   FC_TALLY(FC_DECIDE_LIT, true);
   surface_at(scan, row, column, d, &surface);
   return fc_light_reaches(scan->frame, &space, &surface, scan->frame->lights);
@@ -73,6 +76,7 @@ bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const f
   fc_segment segment;
   int64_t d[3];
   uint8_t i;
+  if (scan->frame->options.profile == FC_PROFILE_FAST) return false;
   FC_TALLY(FC_DECIDE_LIT, true);
   surface_at(scan, row, column, d, &surface);
   for (i = 0; i < 3; i++) {
@@ -449,12 +453,13 @@ static void fill_pairs(uint8_t *to, size_t bytes, const uint8_t pattern[4]) {
   }
 }
 
-static void clear(const fc_frame *frame, const fc_target *target, uint16_t rows, uint8_t pixel_bytes) {
+void fc_strip_clear(const fc_frame *frame, uint16_t rows, const fc_target *target) {
   static const uint8_t zero[4] = {0, 0, 0, 0}, ones[4] = {0xff, 0xff, 0xff, 0xff};
   size_t pixels = (size_t)rows * frame->width;
   uint16_t x, y;
   uint8_t bytes[4];
-  fc_pixel_background(&frame->scene, target->format, bytes);
+  const uint8_t pixel_bytes = target->format == FC_RGB888 ? 3 : 2;
+  fc_pixel_background(&frame->scene, pixel_bytes == 3 ? FC_RGB888 : FC_RGB565_BE, bytes);
   fill_pairs((uint8_t *)target->depth, 2 * pixels, zero);
   if (target->primitive != NULL) fill_pairs((uint8_t *)target->primitive, 2 * pixels, ones);
   if (target->lit != NULL) fill_pairs((uint8_t *)target->lit, 4 * pixels, zero);
@@ -503,9 +508,9 @@ void fc_scan_each(fc_scan *scan, uint16_t rows) {
   }
 }
 
-/* The other byte order. */
-static void swap_bytes(const fc_frame *frame, const fc_target *target, uint16_t rows) {
+void fc_strip_finish(const fc_frame *frame, uint16_t rows, const fc_target *target) {
   uint16_t x, y;
+  if (target->format != FC_RGB565_LE) return;
   for (y = 0; y < rows; y++) {
     uint8_t *at = (uint8_t *)target->pixels + y * target->pitch_bytes;
     for (x = 0; x < frame->width; x++, at += 2) {
@@ -516,28 +521,31 @@ static void swap_bytes(const fc_frame *frame, const fc_target *target, uint16_t 
   }
 }
 
-int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
-  fc_target drawn;
-  fc_space space;
+void fc_strip_draw(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target, uint8_t skip) {
+  fc_target drawn = *target;
+  fc_space space = fc_space_of_frame(frame);
   fc_cursor cursor;
   fc_scan scan;
-  int pixel_bytes = fc_render_check(frame, y, rows, target);
-  if (pixel_bytes < 0) return pixel_bytes;
-  space = fc_space_of_frame(frame);
   scan.frame = frame;
   /* inner loops know one order of bytes */
-  drawn = *target;
   if (target->format == FC_RGB565_LE) drawn.format = FC_RGB565_BE;
   scan.target = &drawn;
   scan.at = &cursor;
   scan.strip = y;
-  scan.pixel_bytes = (uint8_t)pixel_bytes;
+  scan.skip = skip;
+  scan.pixel_bytes = target->format == FC_RGB888 ? 3 : 2;
   scan.clip_far = frame->scene.far_limit > 0;
   fc_pixel_most(drawn.format, scan.tint.most);
   scan.tint.format = drawn.format;
-  clear(frame, &drawn, rows, scan.pixel_bytes);
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) fc_kind_of(&cursor)->strip(&scan, rows);
-  if (target->format == FC_RGB565_LE) swap_bytes(frame, target, rows);
+}
+
+int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+  int pixel_bytes = fc_render_check(frame, y, rows, target);
+  if (pixel_bytes < 0) return pixel_bytes;
+  fc_strip_clear(frame, rows, target);
+  fc_strip_draw(frame, y, rows, target, FC_SKIP_NONE);
+  fc_strip_finish(frame, rows, target);
   return FC_OK;
 }

@@ -626,7 +626,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
     sphere_row at;
     uint64_t b; /* wraps past the tile */
     uint16_t column;
-    if (row < scan->first_row) continue;
+    if (row < scan->first_row || fc_scan_skips(scan, row)) continue;
     at.f = (uint64_t)ball.cone.f;
     at.dx = (uint64_t)ball.cone.dx;
     b = (uint64_t)ball.b;
