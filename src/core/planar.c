@@ -374,7 +374,7 @@ static uint8_t chord_of(uint32_t least, uint32_t ddq) {
 
 static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
   /* chords twice as long are off four times as far: 2^-6 of a cosine, four levels in 255 */
-  const uint8_t fast = scan->frame->options.profile == FC_PROFILE_FAST, beyond = fast ? 14 : 6;
+  const uint8_t fast = fc_scan_guesses(scan), beyond = fast ? 14 : 6;
   uint16_t row;
   uint8_t word;
   for (row = scan->first_row; row <= scan->last_row; row++) {

@@ -65,7 +65,6 @@ bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_surface surface;
   int64_t d[3];
-  if (scan->frame->options.profile == FC_PROFILE_FAST) return true;
   FC_TALLY(FC_DECIDE_LIT, true);
   surface_at(scan, row, column, d, &surface);
   return fc_light_reaches(scan->frame, &space, &surface, scan->frame->lights);
@@ -76,7 +75,6 @@ bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const f
   fc_segment segment;
   int64_t d[3];
   uint8_t i;
-  if (scan->frame->options.profile == FC_PROFILE_FAST) return false;
   FC_TALLY(FC_DECIDE_LIT, true);
   surface_at(scan, row, column, d, &surface);
   for (i = 0; i < 3; i++) {

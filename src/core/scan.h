@@ -125,6 +125,9 @@ void fc_scan_tint(fc_scan *scan);
 /* Decides a pixel by the ray engine: true when the primitive is what it shows so far; its depth is then written. */
 bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column);
 
+/* Whether the sign of a shadow's form is good enough within its error bound too. */
+static inline bool fc_scan_guesses(const fc_scan *scan) { return scan->frame->options.profile == FC_PROFILE_FAST; }
+
 /* Whether the light reaches the primitive there, by the ray engine. */
 bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column);
 

@@ -860,7 +860,9 @@ static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *t
       sure = a > test->ahead.margin;
     }
     if (test->doubted && scan->x + column >= test->doubt.x0 && scan->x + column <= test->doubt.x1) sure = false;
-    if (sure || fc_scan_blocked(scan, row, column, test->kind, test->form)) dark |= bit;
+    if (!sure)
+      sure = fc_scan_guesses(scan) ? fc_to_i64(f) > 0 : fc_scan_blocked(scan, row, column, test->kind, test->form);
+    if (sure) dark |= bit;
   }
   return dark;
 }
