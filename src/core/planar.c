@@ -308,11 +308,10 @@ static FC_NOINLINE void shade_run(const fc_tint *restrict tint, cosine_row *rest
 }
 
 /*
- * The same 2^s pixels at a time, levels in between by the chord. The cosine is a component of the unit vector W / |W|. W
- * moves along a line at a distance h from 0, seen under an angle a from its nearest point: the unit vector bends by
- * (|dW| / h)^2 cos^3 a sqrt(cos^2 a + 4 sin^2 a), at most (|dW| / h)^2 a column, and a chord over m columns is off by at most
- * m^2 / 8 of that: 2^-8, a quarter of a level in 63, when h^2 >= 32 m^2 |dW|^2. Up to 32 columns from where the forms stand
- * h^2 >= |W|^2 - 32^2 |dW|^2, so q >= (16 m^2 + 512) ddq is enough (ddq is twice |dW|^2): 576, 768, 1536 for m = 2, 4, 8.
+ * The same 2^s pixels at a time, levels in between by the chord. The cosine is a component of the unit vector W / |W|, and W moves
+ * along a line. Seen under an angle a from the line's nearest point the unit vector bends by
+ * (|dW| / |W|)^2 cos a sqrt(cos^2 a + 4 sin^2 a) a column, at most 1.16 (|dW| / |W|)^2. A chord over m columns is off by at most
+ * m^2 / 8 of that: 2^-8, a quarter of a level in 63, when |W| >= 6.1 m |dW| at its least; ddq is twice |dW|^2.
  */
 static FC_NOINLINE void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
                                      uint32_t bits, uint8_t *restrict to, uint8_t s) {
@@ -353,45 +352,37 @@ static FC_NOINLINE void shade_chords(const fc_tint *restrict tint, cosine_row *r
   }
 }
 
-/* The longest chords that are good enough where the forms stand: 2^s pixels; 0: none. 640, 1280 and 5120 times ddq. */
-static uint8_t chord_of(const cosine_row *r) {
-  uint32_t q = r->q >> 8, least = r->ddq + (r->ddq >> 2); /* 320 = 256 * 5 / 4 */
-  return q >> 4 >= least ? 3 : q >> 2 >= least ? 2 : q >> 1 >= least ? 1 : 0;
+/* The least q of the columns from where the forms stand to n on: q is a parabola, so it falls by n |dq| / 2 at most where it
+ * rises again at the end, and by what its differences add up to where it does not. */
+static uint32_t least_square(const cosine_row *r, uint8_t n) {
+  uint32_t fall = 0u - r->dq;
+  uint64_t drop; /* below 2^38 */
+  if (fc_to_i32(r->dq) >= 0) return r->q;
+  drop = fc_mul32(fall, n);
+  if (fc_mul32(r->ddq, n) >= fall)
+    drop = (drop >> 1) + 1;
+  else
+    drop -= fc_mul32(r->ddq, (uint32_t)n * (n - 1u) / 2); /* n |dq| > n^2 ddq */
+  return drop < r->q ? r->q - (uint32_t)drop : 0;
 }
 
-/* Whether an affine form is beyond +-2^27 throughout. */
-static bool beyond(int32_t at, int32_t x, int32_t y) {
-  int32_t low = at + (x < 0 ? x : 0) + (y < 0 ? y : 0), high = at + (x > 0 ? x : 0) + (y > 0 ? y : 0);
-  return low >= INT32_C(1) << 27 || high <= -(INT32_C(1) << 27);
-}
-
-/* Whether |W| is at least 2^27 in some rows, so that q is at least 2^24 and its error, 2^14, costs the cosine 2^-11 of
- * itself: true when an axis of W or n.W, the numerator, says so. */
-static bool wide_enough(const fc_scan *scan, const fc_planar *planar, const cosine *g, uint16_t row, uint16_t rows) {
-  const fc_sheaf *w = &planar->w;
-  const int32_t right = scan->columns - 1, down = rows - 1;
-  uint8_t i;
-  for (i = 0; i < 3; i++)
-    if (beyond(w->at[i] + w->dy[i] * row, w->dx[i] * right, w->dy[i] * down)) return true;
-  return beyond(g->at + g->dy * row, g->dx * right, g->dy * down);
+/* The longest chords that are good enough for q from `least` on: 2^s pixels; 0: none. 6.1^2 m^2 / 2 = 1191, 298, 75. */
+static uint8_t chord_of(uint32_t least, uint32_t ddq) {
+  uint32_t q = least >> 8;
+  return q >> 2 >= ddq + (ddq >> 2) ? 3 : q >> 1 >= ddq ? 2 : q >= ddq ? 1 : 0;
 }
 
 static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
   uint16_t row;
   uint8_t word;
-  const bool wide = wide_enough(scan, planar, g, 0, scan->rows);
   for (row = scan->first_row; row <= scan->last_row; row++) {
     cosine_row forms = {0, 0, 0, 0};
     uint16_t next = UINT16_MAX, column = 0; /* the column that the forms stand at */
-    if (!wide && !wide_enough(scan, planar, g, row, 1)) {
-      for (word = 0; word < scan->words; word++)
-        fc_scan_shade_slowly(scan, row, (uint16_t)(32 * word), scan->mask[row * scan->words + word]);
-      continue;
-    }
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word];
       uint16_t at = column;
       uint8_t count = 32, chord;
+      uint32_t least = 0;
       if (bits == 0) continue;
       while (!(bits & 1)) {
         bits >>= 1;
@@ -402,9 +393,20 @@ static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
         count = 0;
         while (bits >> count != 0) count++;
       }
-      if (at != next || word % 4 == 0) start_row(planar, g, row, at, &forms);
+      /* q is within 2^14, which costs the cosine 2^-11 of itself from 2^24 on; where the forms were just set up it is within
+       * 2^10, and 2^20 is enough. A chord's end may lie 7 columns further. */
+      if (at == next && word % 4 != 0) least = least_square(&forms, (uint8_t)(count + 6));
+      if (at != next || word % 4 == 0 || least < UINT32_C(1) << 24) {
+        start_row(planar, g, row, at, &forms);
+        least = least_square(&forms, (uint8_t)(count + 6));
+      }
+      if (least < UINT32_C(1) << 20) {
+        fc_scan_shade_slowly(scan, row, at, bits);
+        next = UINT16_MAX;
+        continue;
+      }
       fc_scan_lit(scan, row, at, bits);
-      chord = scan->tint.plain ? chord_of(&forms) : 0;
+      chord = scan->tint.plain ? chord_of(least, forms.ddq) : 0;
       if (chord != 0) {
         shade_chords(&scan->tint, &forms, g->dx, count, bits, fc_scan_pixel(scan, row, at), chord);
         next = count % (1 << chord) == 0 ? (uint16_t)(at + count) : UINT16_MAX;

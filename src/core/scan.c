@@ -301,6 +301,7 @@ void fc_scan_shade_slowly(const fc_scan *scan, uint16_t row, uint16_t column, ui
     uint8_t level[3];
     uint32_t lit;
     if (!(bits & 1)) continue;
+    if (scan->light == FC_LIGHT_ONE) FC_TALLY(FC_DECIDE_LIT, true); /* elsewhere no form promises to */
     surface_at(scan, row, column, d, &surface);
     fc_shade(scan->frame, &space, &surface, scan->tint.most, level, &lit);
     fc_pixel_put(scan->target->format, level, fc_scan_pixel(scan, row, column));
