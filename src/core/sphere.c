@@ -7,11 +7,11 @@
 #include "tally.h"
 #include "view.h"
 
-static void read_item(const fc_shapes *shapes, uint16_t index, fc_sphere *sphere) {
+static FC_COLD void read_item(const fc_shapes *shapes, uint16_t index, fc_sphere *sphere) {
   FC_READ(sphere, (const fc_sphere *)shapes->items + index, sizeof *sphere);
 }
 
-static int check(const fc_scene *scene, const fc_shapes *shapes) {
+static FC_COLD int check(const fc_scene *scene, const fc_shapes *shapes) {
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
     fc_sphere s;
@@ -25,10 +25,10 @@ static int check(const fc_scene *scene, const fc_shapes *shapes) {
   return FC_OK;
 }
 
-static size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_sphere); }
+static FC_COLD size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_sphere); }
 
 /* |offset| + radius 2^fine, within 2^-23. */
-static fc_quick quick_reach(const int64_t offset[3], uint64_t radius, uint8_t fine) {
+static FC_COLD fc_quick quick_reach(const int64_t offset[3], uint64_t radius, uint8_t fine) {
   fc_quick square, sum = {0, 0};
   uint8_t i, bits = fc_vector_bits(offset), shift = bits > 30 ? (uint8_t)(bits - 30) : 0;
   uint64_t squares = 0;
@@ -41,7 +41,7 @@ static fc_quick quick_reach(const int64_t offset[3], uint64_t radius, uint8_t fi
   return fc_quick_add(fc_quick_scale(sum, (int16_t)shift), fc_quick_from(radius, (int16_t)fine));
 }
 
-static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
+static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   /* the reach of each to 2^-23 first; then exactly those that may be the farthest */
   fc_num most = {0, 0};
   fc_quick farthest = {0, 0};
@@ -70,7 +70,7 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   return most;
 }
 
-static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
+static FC_COLD void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   fc_placed_sphere *placed = to;
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
@@ -85,7 +85,7 @@ static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   }
 }
 
-static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
+static FC_COLD void fetch(const fc_group *group, uint16_t index, fc_form *form) {
   fc_sphere s;
   read_item(&group->shapes, index, &s);
   form->material = s.material;
@@ -105,17 +105,17 @@ static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
 }
 
 /* |v|^2 - r^2 for v below 2^62, exact. */
-static fc_i128 power(const int64_t v[3], int64_t radius) {
+static FC_COLD fc_i128 power(const int64_t v[3], int64_t radius) {
   return fc_i128_sub(fc_i128_dot(v, v), fc_i128_mul(radius, radius));
 }
 
-static void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
+static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
   uint8_t i;
   for (i = 0; i < 3; i++) prepared->u.sphere.oc[i] = form->u.sphere.center[i] - origin[i];
   prepared->u.sphere.c = power(prepared->u.sphere.oc, form->u.sphere.radius);
 }
 
-static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
+static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
   /* t = (b -+ sqrt(b^2 - a c)) / a with b = direction . oc (the half coefficient's negative).
    * direction 30 bits, oc 31: b < 3 * 2^61 < 2^63; a < 3 * 2^60; |c| < 2^64: a c < 2^126, b^2 < 2^126 (Lagrange:
    * b^2 <= a |oc|^2), so the difference is below 2^127. */
@@ -139,12 +139,12 @@ static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_
 }
 
 /* A vector shrunk to below 2^bits by floor division with 2^shift. */
-static void shrink(const int64_t v[3], uint8_t shift, int64_t r[3]) {
+static FC_COLD void shrink(const int64_t v[3], uint8_t shift, int64_t r[3]) {
   uint8_t i;
   for (i = 0; i < 3; i++) r[i] = fc_floor_shift64(v[i], shift);
 }
 
-static fc_wide wide_of(int64_t v) {
+static FC_COLD fc_wide wide_of(int64_t v) {
   fc_wide w;
   fc_wide_from_i64(&w, v);
   return w;
@@ -156,7 +156,7 @@ typedef struct surd {
 } surd;
 
 /* m^2 times |C - P|^2 - r^2. */
-static int8_t exact_power_sign(const fc_form *form, const fc_exact_point *p) {
+static FC_COLD int8_t exact_power_sign(const fc_form *form, const fc_exact_point *p) {
   fc_wide g[3], x, y, term;
   uint8_t i;
   for (i = 0; i < 3; i++) {
@@ -178,7 +178,7 @@ static int8_t exact_power_sign(const fc_form *form, const fc_exact_point *p) {
 
 /* Whether the line through light and point, seen from the light, comes within r of the center strictly between the
  * two. W = m (P - L) = w + v sqrt(d); q = |C - L|^2 - r^2. */
-static bool exact_passes(const fc_form *form, const fc_segment *segment, const fc_exact_point *p, fc_i128 q) {
+static FC_COLD bool exact_passes(const fc_form *form, const fc_segment *segment, const fc_exact_point *p, fc_i128 q) {
   fc_wide w[3], c[3], along_x, along_y, square_x, square_y, x, y, term;
   uint8_t i;
   for (i = 0; i < 3; i++) {
@@ -217,7 +217,7 @@ static bool exact_passes(const fc_form *form, const fc_segment *segment, const f
   return fc_surd_sign(&x, &y, &p->d) >= 0;
 }
 
-static bool exact_blocked(const fc_form *form, const fc_segment *segment, fc_i128 q_light) {
+static FC_COLD bool exact_blocked(const fc_form *form, const fc_segment *segment, fc_i128 q_light) {
   fc_exact_point p;
   int8_t at_light = fc_i128_sign(q_light), at_point;
   fc_exact_point_of(&p, segment);
@@ -228,11 +228,11 @@ static bool exact_blocked(const fc_form *form, const fc_segment *segment, fc_i12
 }
 
 /* +1 or -1 when |value| exceeds its error, 0 when not. */
-static int8_t certain_sign(fc_i128 value, fc_i128 error) {
+static FC_COLD int8_t certain_sign(fc_i128 value, fc_i128 error) {
   return fc_i128_compare(fc_i128_abs(value), error) > 0 ? fc_i128_sign(value) : 0;
 }
 
-static void bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {
+static FC_COLD void bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {
   uint8_t i;
   for (i = 0; i < 3; i++) {
     low[i] = form->u.sphere.center[i] - form->u.sphere.radius;
@@ -241,7 +241,7 @@ static void bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {
 }
 
 /* Blocked by filter: 1 yes, 0 no, -1 undecided. */
-static int8_t quick_blocked(const fc_form *form, const fc_segment *segment, fc_i128 q_light) {
+static FC_COLD int8_t quick_blocked(const fc_form *form, const fc_segment *segment, fc_i128 q_light) {
   int64_t c_light[3], c_point[3], w[3], wl[3];
   fc_i128 disc, error;
   int64_t along, square, q, r, e_along, e_square, e_q;
@@ -295,7 +295,7 @@ static int8_t quick_blocked(const fc_form *form, const fc_segment *segment, fc_i
   return -1;
 }
 
-static bool blocked(const fc_form *form, const fc_segment *segment) {
+static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
   int64_t c_light[3], low[3], high[3];
   fc_i128 q_light;
   int8_t quick;
@@ -310,7 +310,7 @@ static bool blocked(const fc_form *form, const fc_segment *segment) {
 }
 
 /* Sign of (P - C) . (L - P). */
-static int8_t outward_sign(const fc_form *form, const fc_segment *segment) {
+static FC_COLD int8_t outward_sign(const fc_form *form, const fc_segment *segment) {
   fc_exact_point p;
   fc_wide g[3], h[3], x, y, term;
   uint8_t i;
@@ -346,7 +346,7 @@ static int8_t outward_sign(const fc_form *form, const fc_segment *segment) {
   return fc_surd_sign(&x, &y, &p.d);
 }
 
-static bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
+static FC_COLD bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
   int64_t c_light[3];
   uint8_t i;
   if (fc_i128_sign(prepared->u.sphere.c) > 0) return outward_sign(form, segment) > 0;
@@ -355,14 +355,14 @@ static bool facing(const fc_form *form, const fc_prepared *prepared, const fc_se
   return fc_i128_sign(power(c_light, form->u.sphere.radius)) <= 0 && outward_sign(form, segment) < 0;
 }
 
-static bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
+static FC_COLD bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
   uint8_t i;
   (void)prepared;
   for (i = 0; i < 3; i++) n[i] = point[i] - form->u.sphere.center[i];
   return false; /* which side is seen, the root knows */
 }
 
-static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
+static FC_COLD void step_off(const fc_form *form, bool inside, int64_t point[3]) {
   /* The point is within 1 unit an axis of the sphere, so a few unit steps along the normal's dominant axis cross it. */
   uint8_t axis = 0, i;
   int64_t v[3], step;
@@ -378,7 +378,7 @@ static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
   }
 }
 
-static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
+static FC_COLD void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
   uint16_t i;
   (void)frame;
   for (i = 0; i < group->shapes.count; i++) {

@@ -1,14 +1,15 @@
 /* Multiword integers: schoolbook, since they only run when a filter could not decide. */
 #include "wide.h"
 
+#include "bits.h"
 #include <string.h>
 
-static void trim(fc_wide *r) {
+static FC_COLD void trim(fc_wide *r) {
   while (r->count > 0 && r->limb[r->count - 1] == 0) r->count--;
   if (r->count == 0) r->sign = 0;
 }
 
-void fc_wide_from(fc_wide *r, fc_i128 v) {
+FC_COLD void fc_wide_from(fc_wide *r, fc_i128 v) {
   fc_i128 m = fc_i128_abs(v);
   r->sign = fc_i128_sign(v);
   r->count = 4;
@@ -19,11 +20,11 @@ void fc_wide_from(fc_wide *r, fc_i128 v) {
   trim(r);
 }
 
-void fc_wide_from_i64(fc_wide *r, int64_t v) { fc_wide_from(r, fc_i128_from(v)); }
+FC_COLD void fc_wide_from_i64(fc_wide *r, int64_t v) { fc_wide_from(r, fc_i128_from(v)); }
 
-void fc_wide_neg(fc_wide *a) { a->sign = (int8_t)-a->sign; }
+FC_COLD void fc_wide_neg(fc_wide *a) { a->sign = (int8_t)-a->sign; }
 
-static int8_t compare_magnitude(const fc_wide *a, const fc_wide *b) {
+static FC_COLD int8_t compare_magnitude(const fc_wide *a, const fc_wide *b) {
   uint8_t i;
   if (a->count != b->count) return a->count < b->count ? -1 : 1;
   for (i = a->count; i-- > 0;)
@@ -32,7 +33,7 @@ static int8_t compare_magnitude(const fc_wide *a, const fc_wide *b) {
 }
 
 /* r = sign * (|a| + |b|), |a| at least as long as |b| */
-static void add_magnitude(fc_wide *r, const fc_wide *a, const fc_wide *b, int8_t sign) {
+static FC_COLD void add_magnitude(fc_wide *r, const fc_wide *a, const fc_wide *b, int8_t sign) {
   uint64_t carry = 0;
   uint8_t i, n = a->count, nb = b->count;
   for (i = 0; i < n; i++) {
@@ -47,7 +48,7 @@ static void add_magnitude(fc_wide *r, const fc_wide *a, const fc_wide *b, int8_t
 }
 
 /* r = sign * (|a| - |b|), |a| > |b| */
-static void sub_magnitude(fc_wide *r, const fc_wide *a, const fc_wide *b, int8_t sign) {
+static FC_COLD void sub_magnitude(fc_wide *r, const fc_wide *a, const fc_wide *b, int8_t sign) {
   uint32_t borrow = 0;
   uint8_t i, n = a->count, nb = b->count;
   for (i = 0; i < n; i++) {
@@ -61,7 +62,7 @@ static void sub_magnitude(fc_wide *r, const fc_wide *a, const fc_wide *b, int8_t
   trim(r);
 }
 
-static void add_signed(fc_wide *r, const fc_wide *a, const fc_wide *b, int8_t b_sign) {
+static FC_COLD void add_signed(fc_wide *r, const fc_wide *a, const fc_wide *b, int8_t b_sign) {
   int8_t order;
   if (b_sign == 0) {
     if (r != a) *r = *a;
@@ -90,11 +91,11 @@ static void add_signed(fc_wide *r, const fc_wide *a, const fc_wide *b, int8_t b_
   }
 }
 
-void fc_wide_add(fc_wide *r, const fc_wide *a, const fc_wide *b) { add_signed(r, a, b, b->sign); }
+FC_COLD void fc_wide_add(fc_wide *r, const fc_wide *a, const fc_wide *b) { add_signed(r, a, b, b->sign); }
 
-void fc_wide_sub(fc_wide *r, const fc_wide *a, const fc_wide *b) { add_signed(r, a, b, (int8_t)-b->sign); }
+FC_COLD void fc_wide_sub(fc_wide *r, const fc_wide *a, const fc_wide *b) { add_signed(r, a, b, (int8_t)-b->sign); }
 
-void fc_wide_mul(fc_wide *r, const fc_wide *a, const fc_wide *b) {
+FC_COLD void fc_wide_mul(fc_wide *r, const fc_wide *a, const fc_wide *b) {
   fc_wide p;
   uint8_t i, j;
   p.sign = (int8_t)(a->sign * b->sign);
@@ -117,13 +118,13 @@ void fc_wide_mul(fc_wide *r, const fc_wide *a, const fc_wide *b) {
   *r = p;
 }
 
-void fc_wide_mul_i64(fc_wide *r, const fc_wide *a, int64_t b) {
+FC_COLD void fc_wide_mul_i64(fc_wide *r, const fc_wide *a, int64_t b) {
   fc_wide w;
   fc_wide_from_i64(&w, b);
   fc_wide_mul(r, a, &w);
 }
 
-void fc_wide_shift_left(fc_wide *r, const fc_wide *a, uint16_t s) {
+FC_COLD void fc_wide_shift_left(fc_wide *r, const fc_wide *a, uint16_t s) {
   uint8_t words = (uint8_t)(s / 32), rest = (uint8_t)(s % 32), i;
   fc_wide p;
   if (a->sign == 0) {
@@ -144,7 +145,7 @@ void fc_wide_shift_left(fc_wide *r, const fc_wide *a, uint16_t s) {
   *r = p;
 }
 
-void fc_wide_dot(fc_wide *r, const fc_wide a[3], const fc_wide b[3]) {
+FC_COLD void fc_wide_dot(fc_wide *r, const fc_wide a[3], const fc_wide b[3]) {
   fc_wide sum, term;
   fc_wide_mul(&sum, &a[0], &b[0]);
   fc_wide_mul(&term, &a[1], &b[1]);
@@ -153,7 +154,7 @@ void fc_wide_dot(fc_wide *r, const fc_wide a[3], const fc_wide b[3]) {
   fc_wide_add(r, &sum, &term);
 }
 
-int8_t fc_surd_sign(const fc_wide *x, const fc_wide *y, const fc_wide *d) {
+FC_COLD int8_t fc_surd_sign(const fc_wide *x, const fc_wide *y, const fc_wide *d) {
   fc_wide xx, yy;
   int8_t ys = d->sign == 0 ? 0 : y->sign;
   if (ys == 0 || x->sign == ys) return x->sign == 0 ? ys : x->sign;
@@ -169,7 +170,7 @@ int8_t fc_surd_sign(const fc_wide *x, const fc_wide *y, const fc_wide *d) {
   }
 }
 
-int8_t fc_surd_sign2(const fc_wide *x, const fc_wide *y, const fc_wide *d, const fc_wide *z, const fc_wide *e) {
+FC_COLD int8_t fc_surd_sign2(const fc_wide *x, const fc_wide *y, const fc_wide *d, const fc_wide *z, const fc_wide *e) {
   fc_wide a, b;
   int8_t first = fc_surd_sign(x, y, d);
   int8_t second = e->sign == 0 ? 0 : z->sign;

@@ -32,10 +32,12 @@ static fc_frame frame;
 static fc_target target;
 static fc_options options;
 
+/* The texts of fc_error_text are not part of what draws a frame: a letter has to do, A for error 1. */
 static int checked(int error) {
   if (error < 0) {
-    bench_put(fc_error_text(error));
-    bench_put("\n");
+    char text[] = "error A\n";
+    text[6] = (char)(text[6] - 1 - error);
+    bench_put(text);
   }
   return error < 0;
 }
