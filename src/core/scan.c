@@ -507,7 +507,7 @@ void fc_scan_each(fc_scan *scan, uint16_t rows) {
   }
 }
 
-void fc_strip_finish(const fc_frame *frame, uint16_t rows, const fc_target *target) {
+FC_COLD void fc_strip_finish(const fc_frame *frame, uint16_t rows, const fc_target *target) {
   uint16_t x, y;
   if (target->format != FC_RGB565_LE) return;
   for (y = 0; y < rows; y++) {
@@ -520,7 +520,7 @@ void fc_strip_finish(const fc_frame *frame, uint16_t rows, const fc_target *targ
   }
 }
 
-void fc_strip_draw(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target, uint8_t skip) {
+FC_COLD void fc_strip_draw(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target, uint8_t skip) {
   fc_target drawn = *target;
   fc_space space = fc_space_of_frame(frame);
   fc_cursor cursor;
@@ -540,7 +540,7 @@ void fc_strip_draw(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_ta
   while (fc_cursor_next(&cursor)) fc_kind_of(&cursor)->strip(&scan, rows);
 }
 
-int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+FC_COLD int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
   int pixel_bytes = fc_render_check(frame, y, rows, target);
   if (pixel_bytes < 0) return pixel_bytes;
   fc_strip_clear(frame, rows, target);
