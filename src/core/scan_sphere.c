@@ -466,33 +466,72 @@ static FC_NOINLINE uint32_t *outside_run(const sphere_forms *ball, sphere_row *a
   return to;
 }
 
-/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. */
-static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t column, const uint32_t *p, const uint32_t *end,
-                                     uint32_t error, fc_coder *coder_of_tile) {
-  fc_coder coder = *coder_of_tile;
-  uint16_t *depth = fc_scan_depth(scan, row, column);
-  uint32_t bits = 0, bit = 1, add = coder.half + error, base = (uint32_t)coder.base, open = fc_coder_open(&coder, error);
-  for (; p != end; p++, depth++, bit <<= 1, column++) {
-    uint32_t v = *p, up, code;
-    if (v == 0) continue;
-    if (v < coder.low || v >> 1 >= coder.low) {
-      fc_coder_follow(&coder, scan->frame, v);
-      add = coder.half + error;
-      base = (uint32_t)coder.base;
-      open = fc_coder_open(&coder, error);
-    }
-    /* codes of 1 and below, beyond the format's range, are the ray engine's; base is negative there */
-    up = v + add;
-    code = (up >> coder.shift) + base;
-    if ((up & coder.low_bits) <= open || code == *depth || code - 2 > UINT16_MAX - 2) {
-      if (fc_scan_exact(scan, row, column)) bits |= bit;
-    } else if (code > *depth) {
+/* Depth codes of an octave, for test_octave. */
+typedef struct octave {
+  uint32_t low, span, add, base, low_bits, open; /* p in low .. low + span - 1 */
+  uint8_t shift;
+} octave;
+
+/* Depth tests from `p` on until one leaves the octave, or `end`: adds those shown, and in *open those that it can't tell. */
+static FC_NOINLINE const uint32_t *test_octave(const octave *of, const uint32_t *p, const uint32_t *end, uint16_t *depth,
+                                               uint32_t bit, uint32_t *shown, uint32_t *open) {
+  const uint32_t low = of->low, span = of->span, add = of->add, base = of->base, low_bits = of->low_bits, may = of->open;
+  const uint8_t shift = of->shift;
+  uint32_t bits = 0, undecided = 0;
+  do {
+    uint32_t v = *p, code, there;
+    if (v - low >= span) break;
+    v += add;
+    there = *depth;
+    code = (v >> shift) + base;
+    if ((v & low_bits) <= may || code == there) {
+      undecided |= bit;
+    } else if (code > there) {
       *depth = (uint16_t)code;
       bits |= bit;
     }
+    depth++;
+    bit <<= 1;
+  } while (++p != end);
+  *shown |= bits;
+  *open |= undecided;
+  return p;
+}
+
+/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. */
+static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t column, const uint32_t *first, const uint32_t *end,
+                                     uint32_t error, fc_coder *coder) {
+  uint16_t *depth = fc_scan_depth(scan, row, column);
+  const uint32_t *p = first;
+  uint32_t shown = 0, open = 0;
+  while (p != end) {
+    const uint32_t bit = UINT32_C(1) << (p - first);
+    const uint32_t *from = p;
+    octave of;
+    if (*p == 0) {
+      p++;
+      continue;
+    }
+    fc_coder_follow(coder, scan->frame, *p);
+    of.low = coder->low;
+    of.add = coder->half + error;
+    of.base = (uint32_t)coder->base;
+    of.low_bits = coder->low_bits;
+    of.open = fc_coder_open(coder, error);
+    of.shift = coder->shift;
+    /* codes of 1 and below, and beyond 16 bits, are out of the format's range: the ray engine's */
+    of.span = coder->base + (int32_t)(of.low >> of.shift) < 2 ? 0 : of.low;
+    if (coder->base + (int32_t)((2 * of.low - 1 + of.add) >> of.shift) > UINT16_MAX) {
+      uint32_t end_of_codes = (uint32_t)(UINT16_MAX + 1 - coder->base) << of.shift; /* within the octave: below 2^32 */
+      of.span = end_of_codes > of.low + of.add ? end_of_codes - of.low - of.add : 0;
+    }
+    p = test_octave(&of, p, end, depth + (p - first), bit, &shown, &open);
+    if (p == from) {
+      open |= bit;
+      p++;
+    }
   }
-  *coder_of_tile = coder;
-  return bits;
+  return open == 0 ? shown : shown | exact_run(scan, row, column, open);
 }
 
 /* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each, and in *exact those that
