@@ -973,6 +973,17 @@ static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *t
   return dark;
 }
 
+/* Whether f stays below `lit` all along a row. Seen as a parabola it does for certain where it opens downwards and its vertex,
+ * f + (dx - dxx / 2)^2 / (2 |dxx|), lies below: words of 31 bits, rounded to the safe side. */
+static bool row_is_clear(const fc_cone *cone, int64_t lit) {
+  uint32_t slope, bend, below;
+  if (cone->dxx >= 0 || cone->f >= lit) return false;
+  slope = (uint32_t)(fc_abs64(fc_to_i64((uint64_t)cone->dx - (uint64_t)fc_floor_shift64(cone->dxx, 1))) >> 32) + 1;
+  bend = (uint32_t)(fc_abs64(cone->dxx) >> 32);
+  below = (uint32_t)(((uint64_t)lit - (uint64_t)cone->f) >> 32);
+  return fc_mul32(slope, slope) >> 1 < fc_mul32(bend, below);
+}
+
 void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   const int64_t *c = form->u.sphere.center;
   int64_t center[3], radius = form->u.sphere.radius;
@@ -1007,7 +1018,7 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
     const uint64_t dxx = (uint64_t)cone.dxx;
     uint16_t column = 0;
     uint8_t word;
-    if (row < scan->first_row) continue;
+    if (row < scan->first_row || row_is_clear(&cone, clear.lit)) continue;
     clear.doubted = scan->y + row >= doubt.y0 && scan->y + row <= doubt.y1;
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
