@@ -495,17 +495,23 @@ static FC_NOINLINE uint32_t *inside_run(const sphere_forms *ball, sphere_row *at
   const uint64_t dxx = (uint64_t)ball->cone.dxx;
   uint32_t b = at->b;
   const uint32_t b_dx = ball->b_step;
-  const uint8_t lift = ball->lift;
+  /* f's high word in low .. low + span - 1: f 2^up is in 2^62 .. 2^64 - 1 */
+  uint32_t low = 0, span = 0, up = 0, down = 0;
   while (to != end) {
-    uint32_t high = (uint32_t)(f >> 32), m;
-    uint8_t k = ball->half_lift;
-    if (fc_to_i32(high) <= ball->inside) break;
-    m = (high << lift) | ((uint32_t)f >> (32 - lift));
-    while (m < UINT32_C(1) << 30) {
-      m <<= 2;
-      k++;
+    uint32_t high = (uint32_t)(f >> 32);
+    if (high - low >= span) {
+      if (fc_to_i32(high) <= ball->inside) break; /* at least 0 */
+      up = ball->lift; /* what the greatest f allows */
+      while (up < 30 && high < UINT32_C(1) << (30 - up)) up += 2;
+      down = ball->half_lift + (up - ball->lift) / 2;
+      low = UINT32_C(1) << (30 - up);
+      span = 3 * low;
+      if (fc_to_i32(low) <= ball->inside) {
+        span -= (uint32_t)ball->inside + 1 - low;
+        low = (uint32_t)ball->inside + 1;
+      }
     }
-    *to++ = b + (fc_sqrt_q32(m) >> k);
+    *to++ = b + (fc_sqrt_q32((high << up) | ((uint32_t)f >> (32 - up))) >> down);
     f += dx;
     dx += dxx;
     b += b_dx;
