@@ -182,26 +182,29 @@ static FC_NOINLINE uint32_t affine_codes(const fc_scan *scan, uint16_t row, uint
   return bits;
 }
 
-static uint32_t affine_word(const fc_scan *scan, uint16_t row, uint16_t column, uint8_t count, uint64_t at, int64_t step,
-                            uint32_t error, const fc_coder *coder) {
+/* Depth codes of pixels in one octave, with 16 fraction bits, half and open / 2 added, and the step between them. */
+typedef struct affine_form {
+  uint32_t at, step, open;
+} affine_form;
+
+static void set_codes(affine_form *form, uint64_t at, int64_t step, uint16_t count, uint32_t error, const fc_coder *coder) {
   /* p / 2^shift in 2^-16; p has 32 fraction bits, of which shift + 16 are dropped */
   const uint8_t drop = (uint8_t)(16 + coder->shift);
-  uint32_t code = (uint32_t)(at >> drop) + ((uint32_t)coder->base << 16);
-  uint32_t pace = (uint32_t)(uint64_t)fc_floor_shift64(step + (INT64_C(1) << (drop - 1)), drop);
+  form->at = (uint32_t)(at >> drop) + ((uint32_t)coder->base << 16);
+  form->step = (uint32_t)(uint64_t)fc_floor_shift64(step + (INT64_C(1) << (drop - 1)), drop);
   /* twice: the error of p, a floor, and a half for each step's rounding */
-  uint32_t open = 2 * ((uint32_t)(((uint64_t)error << 16) >> coder->shift) + 2) + count;
-  code += 0x8000u + open / 2;
-  if (open > 0x8000u) open = 0xffffu; /* as fc_coder_open */
-  return affine_codes(scan, row, column, count, code, pace, open);
+  form->open = 2 * ((uint32_t)(((uint64_t)error << 16) >> coder->shift) + 2) + count;
+  form->at += 0x8000u + form->open / 2;
+  if (form->open > 0x8000u) form->open = 0xffffu; /* as fc_coder_open */
 }
 
 enum { RUN_HIDDEN, RUN_PLAIN, RUN_MIXED };
 
 /* What a run of pixels is: near / z is monotone, so what holds at both ends holds in between. Hidden: missed, or beyond
  * the far limit; plain: within it, in one octave below saturation, to which the coder is set. */
-static int8_t affine_run(const fc_scan *scan, uint64_t at, int64_t step, uint8_t count, uint8_t gain, int32_t margin,
+static int8_t affine_run(const fc_scan *scan, uint64_t at, int64_t step, uint16_t count, uint8_t gain, int32_t margin,
                          bool clip, fc_coder *coder) {
-  int32_t a = fc_to_i32((uint32_t)(at >> 32)), b = fc_to_i32((uint32_t)((at + (uint64_t)step * (uint8_t)(count - 1)) >> 32));
+  int32_t a = fc_to_i32((uint32_t)(at >> 32)), b = fc_to_i32((uint32_t)((at + fc_times((uint64_t)step, (uint16_t)(count - 1))) >> 32));
   int32_t low = a < b ? a : b, high = a < b ? b : a;
   if (high < -margin) return RUN_HIDDEN;
   if (clip) {
@@ -232,6 +235,19 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
     if (within_far(scan->frame, low, margin, gain)) clip = false;
   }
   fc_coder_start(&coder, scan->frame, (int16_t)-gain, high > 0 ? (uint32_t)high : 1);
+  if (last - first < 1024 &&
+      affine_run(scan, at, step, (uint16_t)(last - first + 1), gain, margin, clip, &coder) == RUN_PLAIN) {
+    affine_form form;
+    set_codes(&form, at, step, (uint16_t)(last - first + 1), error, &coder);
+    while (column <= last) {
+      uint8_t count = (uint8_t)(32 - (column & 31));
+      if (count > last - column + 1) count = (uint8_t)(last - column + 1);
+      *mask++ |= affine_codes(scan, row, column, count, form.at, form.step, form.open) << (column & 31);
+      form.at += form.step * count;
+      column = (uint16_t)(column + count);
+    }
+    return;
+  }
   while (column <= last) {
     uint8_t count = (uint8_t)(32 - (column & 31)), done = 0;
     uint32_t bits = 0, bit = UINT32_C(1) << (column & 31);
@@ -245,15 +261,17 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
         how = affine_run(scan, at, step, chunk, gain, margin, clip, &coder);
       }
       if (how == RUN_PLAIN) {
-        bits |= affine_word(scan, row, (uint16_t)(column + done), chunk, at, step, error, &coder) * bit;
-        at += (uint64_t)step * chunk;
+        affine_form form;
+        set_codes(&form, at, step, chunk, error, &coder);
+        bits |= affine_codes(scan, row, (uint16_t)(column + done), chunk, form.at, form.step, form.open) * bit;
+        at += fc_times((uint64_t)step, chunk);
       } else if (how == RUN_MIXED) {
         uint8_t i;
         for (i = 0; i < chunk; i++, at += (uint64_t)step)
           if (affine_pixel(scan, row, (uint16_t)(column + done + i), fc_high_word(fc_to_i64(at)), gain, error, clip, &coder))
             bits |= bit << i;
       } else {
-        at += (uint64_t)step * chunk;
+        at += fc_times((uint64_t)step, chunk);
       }
       bit = chunk == 32 ? 0 : bit << chunk;
       done = (uint8_t)(done + chunk);
