@@ -26,7 +26,7 @@ def plan():
     todo += each(("s1",), CHIPS, ("fixcast",), opts=("-Os", "-O3"))
     todo += each(("s1",), ("m0plus", "m3"), ("fixcast-rays",))
     todo += each(("s1b",), CHIPS, ("fixcast",))
-    todo += each(("s2",), CHIPS, ("fixcast", "float", "fixed"))
+    todo += each(("s2",), CHIPS, ("fixcast", "float", "double", "fixed"))
     todo += each(("s4",), CHIPS, ("fixcast",))
     todo += each(SPHERES, CHIPS, ("fixcast",))
     todo += each(SPHERES, ("m0plus", "m3", "m4f"), ("float",)) + each(SPHERES, ("m0plus", "m3"), ("q16",))
