@@ -495,17 +495,23 @@ static FC_NOINLINE uint32_t *inside_run(const sphere_forms *ball, sphere_row *at
   const uint64_t dxx = (uint64_t)ball->cone.dxx;
   uint32_t b = at->b;
   const uint32_t b_dx = ball->b_step;
-  const uint8_t lift = ball->lift;
+  /* f's high word in low .. low + span - 1: f 2^up is in 2^62 .. 2^64 - 1 */
+  uint32_t low = 0, span = 0, up = 0, down = 0;
   while (to != end) {
-    uint32_t high = (uint32_t)(f >> 32), m;
-    uint8_t k = ball->half_lift;
-    if (fc_to_i32(high) <= ball->inside) break;
-    m = (high << lift) | ((uint32_t)f >> (32 - lift));
-    while (m < UINT32_C(1) << 30) {
-      m <<= 2;
-      k++;
+    uint32_t high = (uint32_t)(f >> 32);
+    if (high - low >= span) {
+      if (fc_to_i32(high) <= ball->inside) break; /* at least 0 */
+      up = ball->lift; /* what the greatest f allows */
+      while (up < 30 && high < UINT32_C(1) << (30 - up)) up += 2;
+      down = ball->half_lift + (up - ball->lift) / 2;
+      low = UINT32_C(1) << (30 - up);
+      span = 3 * low;
+      if (fc_to_i32(low) <= ball->inside) {
+        span -= (uint32_t)ball->inside + 1 - low;
+        low = (uint32_t)ball->inside + 1;
+      }
     }
-    *to++ = b + (fc_sqrt_q32(m) >> k);
+    *to++ = b + (fc_sqrt_q32((high << up) | ((uint32_t)f >> (32 - up))) >> down);
     f += dx;
     dx += dxx;
     b += b_dx;
@@ -975,6 +981,17 @@ static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *t
   return dark;
 }
 
+/* Whether f stays below `lit` all along a row. Seen as a parabola it does for certain where it opens downwards and its vertex,
+ * f + (dx - dxx / 2)^2 / (2 |dxx|), lies below: words of 31 bits, rounded to the safe side. */
+static bool row_is_clear(const fc_cone *cone, int64_t lit) {
+  uint32_t slope, bend, below;
+  if (cone->dxx >= 0 || cone->f >= lit) return false;
+  slope = (uint32_t)(fc_abs64(fc_to_i64((uint64_t)cone->dx - (uint64_t)fc_floor_shift64(cone->dxx, 1))) >> 32) + 1;
+  bend = (uint32_t)(fc_abs64(cone->dxx) >> 32);
+  below = (uint32_t)(((uint64_t)lit - (uint64_t)cone->f) >> 32);
+  return fc_mul32(slope, slope) >> 1 < fc_mul32(bend, below);
+}
+
 void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   const int64_t *c = form->u.sphere.center;
   int64_t center[3], radius = form->u.sphere.radius;
@@ -1009,7 +1026,7 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
     const uint64_t dxx = (uint64_t)cone.dxx;
     uint16_t column = 0;
     uint8_t word;
-    if (row < scan->first_row) continue;
+    if (row < scan->first_row || row_is_clear(&cone, clear.lit)) continue;
     clear.doubted = scan->y + row >= doubt.y0 && scan->y + row <= doubt.y1;
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
