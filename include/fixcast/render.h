@@ -24,8 +24,8 @@ extern "C" {
 /* What a frame gives up for speed (docs/SPEC.md section 11 has the numbers, docs/REPORT.md what it saves on each chip). */
 typedef enum fc_profile {
   FC_PROFILE_EXACT = 0,  /* nothing: as exact arithmetic decides */
-  FC_PROFILE_FAST = 1,   /* visible primitives and depth exact; a channel within 4/255; a light that no fast form can tell
-                            from blocked within its error bound counts as reaching the point: single pixels at shadows' edges */
+  FC_PROFILE_FAST = 1,   /* visible primitives and depth exact; a channel within 4/255; where the shadow of a sphere on a plane is
+                            closer to its edge than its form can tell for certain, what the form says */
   FC_PROFILE_HALF = 2,   /* a sample for each block of 2x2 pixels, itself exact; drawn by fc_render_profile */
   FC_PROFILE_INTERLACED = 3 /* a frame is every other row, exact; drawn by fc_render_profile, field 0 and 1 in turn */
 } fc_profile;

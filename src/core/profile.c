@@ -6,37 +6,58 @@
 
 /* ---- half resolution ---- */
 
-/* A row of samples becomes a row of pixels, from its end on: the same memory, or some that lies behind. */
-static void widen(uint8_t *to, const uint8_t *from, uint16_t width, uint8_t unit) {
-  const uint8_t *sample = from + (size_t)(width / 2) * unit;
-  uint8_t *pixel = to + (size_t)(width & ~1u) * unit, i;
-  if (width & 1)
-    for (i = unit; i-- > 0;) pixel[i] = sample[i];
-  while (pixel != to) {
-    sample -= unit;
-    pixel -= 2 * unit;
-    if (unit == 2) {
-      uint8_t a = sample[0], b = sample[1];
-      pixel[0] = pixel[2] = a;
-      pixel[1] = pixel[3] = b;
-    } else {
-      for (i = unit; i-- > 0;) pixel[i] = pixel[unit + i] = sample[i];
-    }
+/* A row of samples becomes two rows of pixels, from its end on: the upper may begin where the samples do, or behind; they may be
+ * the same. */
+static void widen(uint8_t *upper, uint8_t *lower, const uint8_t *samples, uint16_t width, uint8_t unit) {
+  uint16_t x = width;
+  uint8_t i;
+  if (x & 1) {
+    const uint8_t *sample = samples + (size_t)(--x / 2) * unit;
+    for (i = unit; i-- > 0;) upper[(size_t)x * unit + i] = lower[(size_t)x * unit + i] = sample[i];
+  }
+  samples += (size_t)(x / 2) * unit;
+  upper += (size_t)x * unit;
+  lower += (size_t)x * unit;
+  for (; x != 0; x = (uint16_t)(x - 2)) {
+    samples -= unit;
+    upper -= 2 * unit;
+    lower -= 2 * unit;
+    for (i = unit; i-- > 0;) upper[i] = upper[unit + i] = lower[i] = lower[unit + i] = samples[i];
+  }
+}
+
+/* The same for samples of two bytes and an even width, where all is aligned. */
+static void widen_pairs(uint8_t *upper, uint8_t *lower, const uint8_t *samples, uint16_t width) {
+  size_t at = (size_t)width * 2;
+  samples += width;
+  while (at != 0) {
+    uint16_t sample;
+    uint32_t pair;
+    samples -= 2;
+    memcpy(&sample, FC_ALIGNED2(samples), sizeof sample);
+    pair = sample * UINT32_C(0x10001);
+    at -= 4;
+    memcpy(FC_ALIGNED4(upper + at), &pair, sizeof pair);
+    memcpy(FC_ALIGNED4(lower + at), &pair, sizeof pair);
   }
 }
 
 /* Rows of samples `sample_pitch` bytes apart become rows of pixels `pitch` bytes apart in the same memory, the last one first.
- * Row i shows row (i + y % 2) / 2 <= i of the samples, so all that is still to be read lies before what has been written. */
+ * Row i of the strip shows row (i + y % 2) / 2 <= i of the samples, so all that is still to be read lies before what is written. */
 static void double_rows(const fc_frame *frame, uint16_t y, uint16_t rows, void *memory, size_t sample_pitch, size_t pitch,
                         uint8_t unit) {
   const uint16_t width = fc_view_columns(frame), odd = y & 1;
-  uint16_t i;
-  for (i = rows; i-- > 0;) {
-    uint8_t *to = (uint8_t *)memory + i * pitch;
-    if (i + 1 < rows && ((i + odd) & 1) == 0)
-      memcpy(to, to + pitch, (size_t)width * unit);
+  const bool pairs = unit == 2 && ((uintptr_t)memory | pitch | (size_t)width * 2) % 4 == 0;
+  uint16_t s = (uint16_t)((rows + odd + 1) / 2);
+  while (s-- > 0) {
+    const uint8_t *samples = (const uint8_t *)memory + s * sample_pitch;
+    const uint32_t first = s == 0 ? 0 : 2 * (uint32_t)s - odd, second = 2 * (uint32_t)s + 1 - odd;
+    uint8_t *upper = (uint8_t *)memory + first * pitch;
+    uint8_t *lower = second < rows ? (uint8_t *)memory + second * pitch : upper;
+    if (pairs)
+      widen_pairs(upper, lower, samples, width);
     else
-      widen(to, (const uint8_t *)memory + (size_t)((i + odd) / 2) * sample_pitch, width, unit);
+      widen(upper, lower, samples, width, unit);
   }
 }
 

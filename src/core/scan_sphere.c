@@ -594,7 +594,9 @@ static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t
     of.shift = coder->shift;
     /* codes of 1 and below, and beyond 16 bits, are out of the format's range: the ray engine's */
     of.span = coder->base + (int32_t)(of.low >> of.shift) < 2 ? 0 : of.low;
-    if (coder->base + (int32_t)((2 * of.low - 1 + of.add) >> of.shift) > UINT16_MAX) {
+    if (coder->base > UINT16_MAX) {
+      of.span = 0;
+    } else if (coder->base + (int32_t)((2 * of.low - 1 + of.add) >> of.shift) > UINT16_MAX) {
       uint32_t end_of_codes = (uint32_t)(UINT16_MAX + 1 - coder->base) << of.shift; /* within the octave: below 2^32 */
       of.span = end_of_codes > of.low + of.add ? end_of_codes - of.low - of.add : 0;
     }
