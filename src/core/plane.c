@@ -123,18 +123,17 @@ static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction
   return 1;
 }
 
-static FC_COLD int8_t side_of_light(const fc_form *form, const fc_segment *segment) {
-  return fc_i128_sign(fc_i128_sub(fc_i128_from(form->u.plane.k), fc_i128_dot(form->u.plane.normal, segment->light)));
+static FC_COLD int8_t side(const fc_form *form, const int64_t point[3]) {
+  return fc_i128_sign(fc_i128_sub(fc_i128_dot(form->u.plane.normal, point), fc_i128_from(form->u.plane.k)));
 }
 
 static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
-  int8_t light = side_of_light(form, segment);
-  if (light == 0) return false;
-  return fc_side_of_point(segment, form->u.plane.normal, fc_i128_from(form->u.plane.k)) == -light;
+  int8_t light = side(form, segment->light);
+  return light != 0 && fc_side_of_point(segment, form->u.plane.normal, fc_i128_from(form->u.plane.k)) == light;
 }
 
 static FC_COLD bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
-  return fc_sign64(prepared->u.plane.side) * side_of_light(form, segment) > 0;
+  return fc_sign64(prepared->u.plane.side) * side(form, segment->light) < 0;
 }
 
 static FC_COLD bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
@@ -143,10 +142,6 @@ static FC_COLD bool normal(const fc_form *form, const fc_prepared *prepared, con
   n[1] = form->u.plane.normal[1];
   n[2] = form->u.plane.normal[2];
   return prepared->u.plane.side > 0; /* k - n.O > 0: the origin is behind */
-}
-
-static FC_COLD void step_off(const fc_form *form, bool inside, int64_t point[3]) {
-  fc_step_off_plane(form->u.plane.normal, fc_i128_from(form->u.plane.k), inside, point);
 }
 
 static FC_COLD bool item_range(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far) {
@@ -188,6 +183,6 @@ static FC_COLD void depth_range(const fc_frame *frame, const fc_group *group, ui
 
 const fc_kind fc_kind_plane FC_ROM = {
     check,    memory, extent,      place,            fetch,           prepare,       test,            blocked,        facing, normal,
-    step_off, NULL,   depth_range, fc_plane_project, fc_plane_window, fc_plane_draw, fc_plane_shadow, fc_plane_between,
+    side,     NULL,   depth_range, fc_plane_project, fc_plane_window, fc_plane_draw, fc_plane_shadow, fc_plane_between,
     fc_plane_hides,
     fc_scan_each, NULL, NULL};

@@ -158,7 +158,7 @@ int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to
   segment.point_valid = true;
   segment.outside = false;
   segment.root = NULL;
-  segment.origin = segment.direction = NULL;
+  segment.direction = NULL;
   fc_segment_prepare(&segment);
   return fc_space_blocked(&space, &segment, NO_PRIMITIVE);
 }

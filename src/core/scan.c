@@ -72,20 +72,9 @@ bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const f
   fc_surface surface;
   fc_segment segment;
   int64_t d[3];
-  uint8_t i;
   FC_TALLY(FC_DECIDE_LIT, true);
   surface_at(scan, row, column, d, &surface);
-  for (i = 0; i < 3; i++) {
-    segment.light[i] = scan->frame->lights[i];
-    segment.point[i] = surface.point[i];
-  }
-  segment.root = &surface.root;
-  segment.origin = eye;
-  segment.direction = d;
-  segment.point_error = 1;
-  segment.point_valid = surface.point_valid;
-  segment.outside = true;
-  fc_segment_prepare(&segment);
+  fc_surface_segment(&surface, scan->frame->lights, &segment);
   return kind->blocked(occluder, &segment);
 }
 
