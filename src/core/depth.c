@@ -37,8 +37,12 @@ FC_COLD uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root) {
   if (fc_abs64(over) >> 23 == 0) {
     /* near / (t F) against (mantissa + 1/2) 2^(octave - octaves - m_bits), cleared of fractions: 32 + 29 bits against 18 + 30 */
     const fc_quick no_value = {0, 0};
-    up = fc_root_sign_linear(root, no_value, fc_i128_from((int64_t)frame->depth_near << (octaves - octave + m_bits + 1)),
-                             fc_i128_from(-(int64_t)(2 * mantissa + 1) * frame->view.focal), FC_DECIDE_DEPTH);
+    fc_wide w;
+    fc_wide_start(&w);
+    fc_wide_push64(&w, (int64_t)frame->depth_near << (octaves - octave + m_bits + 1));
+    fc_wide_push64(&w, -(int64_t)(2 * mantissa + 1) * frame->view.focal);
+    fc_wide_push64(&w, 0);
+    up = fc_root_sign(root, no_value, &w, FC_DECIDE_DEPTH);
   } else {
     FC_TALLY(FC_DECIDE_DEPTH, false);
   }

@@ -89,8 +89,8 @@ struct fc_kind {
   void (*place)(const fc_view *view, const fc_shapes *shapes, void *memory);
   void (*fetch)(const fc_group *group, uint16_t index, fc_form *form);
   void (*prepare)(const fc_form *form, const int64_t origin[3], fc_prepared *prepared);
-  /* Roots with t > 0, ascending: 0, 1 or 2 of them. |direction| components below 2^30. */
-  uint8_t (*test)(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]);
+  /* How many roots with t > 0: 0, 1 or 2, and the first of them; the second has q = 1 instead. |direction| components below 2^30. */
+  uint8_t (*test)(const fc_prepared *prepared, const int64_t direction[3], fc_root *root);
   /* Whether the open segment meets the form. */
   bool (*blocked)(const fc_form *form, const fc_segment *segment);
   /* Whether the side of the form that the origin sees faces the light. */

@@ -107,19 +107,19 @@ static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_pre
   prepared->u.plane.normal[0] = n[0];
   prepared->u.plane.normal[1] = n[1];
   prepared->u.plane.normal[2] = n[2];
-  prepared->u.plane.side = form->u.plane.k - (n[0] * origin[0] + n[1] * origin[1] + n[2] * origin[2]);
+  prepared->u.plane.side = form->u.plane.k - fc_dot(n, origin);
 }
 
-static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
+static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root *root) {
   /* t = side / (normal . direction): 30 + 30 + 2 bits */
   const int64_t *n = prepared->u.plane.normal;
   int64_t side = prepared->u.plane.side;
-  int64_t along = n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2];
+  int64_t along = fc_dot(n, direction);
   if (fc_sign64(side) * fc_sign64(along) <= 0) return 0;
-  root[0].p = fc_i128_from_u64(fc_abs64(side));
-  root[0].m = fc_i128_from_u64(fc_abs64(along));
-  root[0].d = root[0].c = fc_i128_from(0);
-  root[0].q = 0;
+  root->p = fc_i128_from_u64(fc_abs64(side));
+  root->m = fc_i128_from_u64(fc_abs64(along));
+  root->d = root->c = fc_i128_from(0);
+  root->q = 0;
   return 1;
 }
 
@@ -153,13 +153,13 @@ static FC_COLD bool item_range(const fc_frame *frame, const fc_form *form, uint6
   uint8_t i, hits = 0;
   prepare(form, origin, &prepared);
   for (i = 0; i < 4; i++) {
-    fc_root root[2];
+    fc_root root;
     int64_t d[3];
     uint64_t z;
     fc_view_direction(frame, (i & 1) ? (uint16_t)(frame->width - 1) : 0,
                       (i & 2) ? (uint16_t)(frame->height - 1) : 0, d);
-    if (test(&prepared, d, root) == 0) continue;
-    z = fc_num_round(fc_num_mul(fc_root_value(&root[0]), fc_num_from_u64((uint64_t)d[2], 0)), 0);
+    if (test(&prepared, d, &root) == 0) continue;
+    z = fc_num_round(fc_num_mul(fc_root_value(&root), fc_num_from_u64((uint64_t)d[2], 0)), 0);
     if (hits == 0 || z < *near) *near = z;
     if (hits == 0 || z > *far) *far = z;
     hits++;

@@ -63,13 +63,13 @@ FC_COLD int8_t fc_root_sign(const fc_root *root, fc_quick t, fc_wide *w, fc_deci
   FC_TALLY(decision, sign == 0);
   if (sign != 0) return sign;
   fc_wide_keep(w, 3);
-  fc_wide_push(w, root->p);
-  fc_wide_push(w, root->m);
-  fc_wide_push(w, root->d);
+  fc_wide_push(w, &root->p);
+  fc_wide_push(w, &root->m);
+  fc_wide_push(w, &root->d);
   fc_wide_push64(w, 1);
   fc_wide_run(w, expand);
   fc_wide_keep(w, 2);
-  fc_wide_push(w, root->d);
+  fc_wide_push(w, &root->d);
   x = w->sign[1];
   y = (int8_t)(w->sign[0] * root->q * w->sign[2]);
   if (x * y >= 0) return x != 0 ? x : y;
@@ -77,48 +77,59 @@ FC_COLD int8_t fc_root_sign(const fc_root *root, fc_quick t, fc_wide *w, fc_deci
   return (int8_t)(x * w->sign[4]);
 }
 
-FC_COLD int8_t fc_root_sign_linear(const fc_root *root, fc_quick t, fc_i128 gamma, fc_i128 beta, fc_decision decision) {
-  fc_wide w;
-  fc_wide_start(&w);
-  fc_wide_push(&w, gamma);
-  fc_wide_push(&w, beta);
-  fc_wide_push64(&w, 0);
-  return fc_root_sign(root, t, &w, decision);
-}
-
 FC_COLD int8_t fc_root_compare(const fc_root *a, const fc_root *b) {
-  /* b's own polynomial c - 2 p t + m t^2 at a's t, and its derivative, which tells on which side of its apex a is */
-  fc_quick t = fc_root_quick(a);
-  fc_wide w;
-  int8_t side;
-  side = fc_root_sign_linear(a, t, fc_i128_neg(b->p), b->m, FC_DECIDE_NEARER);
-  if (b->q == 0 || side == -b->q) return side;
-  fc_wide_start(&w);
-  fc_wide_push(&w, b->c);
-  fc_wide_push(&w, fc_i128_shift_left(fc_i128_neg(b->p), 1));
-  fc_wide_push(&w, b->m);
-  return (int8_t)(b->q * fc_root_sign(a, t, &w, FC_DECIDE_NEARER));
+  /* b's own polynomial c - 2 p t + m t^2 at a's t, and half its derivative, which tells on which side of its apex a is:
+   * 0 c, 1 p, 2 m, 3 one */
+  static const uint8_t polynomial[] FC_ROM = {FC_SUM(1, 0), FC_TIMES(0, 3), FC_SUM(0, 2), FC_TIMES(1, 3), FC_TIMES(1, 3),
+                                              FC_SUM(1, 0), FC_TIMES(2, 3), 0};
+  static const uint8_t derivative[] FC_ROM = {FC_SUM(0, 1), FC_TIMES(1, 3), FC_SUM(1, 0), FC_TIMES(2, 3), FC_NOTHING, 0};
+  const fc_quick t = fc_root_quick(a);
+  int8_t sign = b->q;
+  uint8_t i;
+  for (i = 0; i < 2; i++) {
+    fc_wide w;
+    int8_t s;
+    fc_wide_start(&w);
+    fc_wide_push(&w, &b->c);
+    fc_wide_push(&w, &b->p);
+    fc_wide_push(&w, &b->m);
+    fc_wide_push64(&w, 1);
+    fc_wide_run(&w, i == 0 ? derivative : polynomial);
+    s = fc_root_sign(a, t, &w, FC_DECIDE_NEARER);
+    if (i != 0) return (int8_t)(sign * s);
+    if (sign == 0 || s == -sign) return s;
+  }
+  return 0;
 }
 
 FC_COLD int8_t fc_root_compare_q32(const fc_root *root, uint64_t t_q32) {
-  return fc_root_sign_linear(root, fc_root_quick(root), fc_i128_neg(fc_i128_from_u64(t_q32)), fc_i128_from(INT64_C(1) << 32),
-                             FC_DECIDE_FAR);
+  /* 2^32 t - t_q32 */
+  fc_i128 bound = fc_i128_from_u64(t_q32);
+  fc_wide w;
+  fc_wide_start(&w);
+  fc_wide_push(&w, &bound);
+  fc_wide_push64(&w, -(INT64_C(1) << 32));
+  fc_wide_push64(&w, 0);
+  return (int8_t)-fc_root_sign(root, fc_root_quick(root), &w, FC_DECIDE_FAR);
 }
 
 FC_COLD int8_t fc_root_compare_distance(const fc_root *root, int64_t length2, int32_t far, int16_t exponent) {
   /* 0 length2, 1 far, 2 2^max(exponent, 0), 3 2^max(-exponent, 0): all times the square of the last */
-  static const uint8_t program[] FC_ROM = {FC_SUM(1, 0), FC_TIMES(1, 2),                 /* 4 */
-                                           FC_SUM(1, 0), FC_TIMES(3, 3),                 /* 5 */
-                                           FC_SUM(0, 1), FC_TIMES(4, 4),                 /* gamma */
-                                           FC_SUM(1, 1), FC_TIMES(2, 2), FC_TIMES(2, 2), /* beta = 0 */
-                                           FC_SUM(1, 0), FC_TIMES(0, 5),                 /* alpha */
-                                           0};
+  static const uint8_t program[] FC_ROM = {FC_SUM(1, 0), FC_TIMES(1, 2), /* 4 */
+                                           FC_SUM(1, 0), FC_TIMES(3, 3), /* 5 */
+                                           FC_SUM(0, 1), FC_TIMES(4, 4), FC_NOTHING, FC_SUM(1, 0), FC_TIMES(0, 5), 0};
   fc_wide w;
+  uint8_t i;
   fc_wide_start(&w);
   fc_wide_push64(&w, length2);
   fc_wide_push64(&w, far);
-  fc_wide_push(&w, fc_i128_shift_left(fc_i128_from(1), (uint8_t)(exponent > 0 ? exponent : 0)));
-  fc_wide_push(&w, fc_i128_shift_left(fc_i128_from(1), (uint8_t)(exponent < 0 ? -exponent : 0)));
+  for (i = 0; i < 2; i++) {
+    /* up to 2^94 */
+    fc_i128 one = {1, 0};
+    one = fc_i128_shift_left(one, (uint8_t)(exponent > 0 ? exponent : 0));
+    fc_wide_push(&w, &one);
+    exponent = (int16_t)-exponent;
+  }
   fc_wide_run(&w, program);
   return fc_root_sign(root, fc_root_quick(root), &w, FC_DECIDE_FAR);
 }

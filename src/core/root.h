@@ -32,9 +32,6 @@ fc_quick fc_root_quick(const fc_root *root);
  * do without the filter. */
 int8_t fc_root_sign(const fc_root *root, fc_quick t, fc_wide *w, fc_decision decision);
 
-/* The same for alpha = 0. */
-int8_t fc_root_sign_linear(const fc_root *root, fc_quick t, fc_i128 gamma, fc_i128 beta, fc_decision decision);
-
 /* Sign of a - b, exact. */
 int8_t fc_root_compare(const fc_root *a, const fc_root *b);
 

@@ -15,12 +15,9 @@ static const int64_t eye[3] = {0, 0, 0}; /* camera space */
 
 /* Meets the primitive with the pixel's ray. */
 static bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_prepared *prepared, fc_root *root) {
-  fc_root roots[2];
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
   fc_kind_of(scan->at)->prepare(scan->form, eye, prepared);
-  if (fc_kind_of(scan->at)->test(prepared, d, roots) == 0) return false;
-  *root = roots[0];
-  return true;
+  return fc_kind_of(scan->at)->test(prepared, d, root) != 0;
 }
 
 bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {

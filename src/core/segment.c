@@ -49,12 +49,21 @@ FC_COLD int8_t fc_segment_sign(const fc_segment *segment, fc_wide *w, fc_decisio
 
 FC_COLD int8_t fc_side_of_point(const fc_segment *segment, const int64_t n[3], fc_i128 k) {
   /* n 64 bits, direction 61: below 2^127 */
+  fc_i128 along = fc_i128_dot(n, fc_segment_direction(segment));
   fc_wide w;
   fc_wide_start(&w);
-  fc_wide_push(&w, k);
-  fc_wide_push(&w, fc_i128_neg(fc_i128_dot(n, fc_segment_direction(segment))));
+  fc_wide_push(&w, &k);
+  fc_wide_push(&w, &along);
+  w.sign[1] = (int8_t)-w.sign[1];
   fc_wide_push64(&w, 0);
   return fc_segment_sign(segment, &w, FC_DECIDE_SIDE);
+}
+
+FC_COLD int64_t fc_dot(const int64_t a[3], const int64_t b[3]) {
+  uint64_t sum = 0;
+  uint8_t i;
+  for (i = 0; i < 3; i++) sum += (uint64_t)a[i] * (uint64_t)b[i];
+  return fc_to_i64(sum);
 }
 
 FC_COLD void fc_cross(const int64_t a[3], const int64_t b[3], int64_t r[3]) {

@@ -54,6 +54,9 @@ static inline int64_t fc_small_dot(const int64_t a[3], const int64_t b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/* a . b modulo 2^64. */
+int64_t fc_dot(const int64_t a[3], const int64_t b[3]);
+
 void fc_cross(const int64_t a[3], const int64_t b[3], int64_t r[3]);
 
 /* Bits of the largest component. */

@@ -109,32 +109,31 @@ static FC_COLD fc_i128 power(const int64_t v[3], int64_t radius) {
 }
 
 static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
+  int64_t *oc = prepared->u.sphere.oc, r = form->u.sphere.radius;
+  uint64_t far, near = (uint64_t)(r * r);
   uint8_t i;
-  for (i = 0; i < 3; i++) prepared->u.sphere.oc[i] = form->u.sphere.center[i] - origin[i];
-  prepared->u.sphere.c = power(prepared->u.sphere.oc, form->u.sphere.radius);
+  for (i = 0; i < 3; i++) oc[i] = form->u.sphere.center[i] - origin[i];
+  /* 31 bits each: the sum of squares is below 3 2^62, modulo 2^64 as it is */
+  far = (uint64_t)fc_dot(oc, oc);
+  prepared->u.sphere.c.lo = far - near;
+  prepared->u.sphere.c.hi = far < near ? UINT64_MAX : 0;
 }
 
-static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
+static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root *root) {
   /* t = (b -+ sqrt(b^2 - a c)) / a with b = direction . oc (the half coefficient's negative).
    * direction 30 bits, oc 31: b < 3 * 2^61 < 2^63; a < 3 * 2^60; |c| < 2^64: a c < 2^126, b^2 < 2^126 (Lagrange:
    * b^2 <= a |oc|^2), so the difference is below 2^127. */
-  const int64_t *oc = prepared->u.sphere.oc;
-  int64_t b = direction[0] * oc[0] + direction[1] * oc[1] + direction[2] * oc[2];
-  int64_t a = direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2];
-  int8_t outside = fc_i128_sign(prepared->u.sphere.c);
-  fc_i128 d;
+  int64_t b = fc_dot(direction, prepared->u.sphere.oc), a = fc_dot(direction, direction);
+  int8_t outside = fc_i128_sign(prepared->u.sphere.c), sign;
   if (outside >= 0 && b <= 0) return 0;
-  d = fc_i128_sub(fc_i128_mul(b, b), fc_i128_scale(prepared->u.sphere.c, a));
-  if (fc_i128_sign(d) < 0) return 0;
-  root[0].p = fc_i128_from(b);
-  root[0].m = fc_i128_from(a);
-  root[0].d = d;
-  root[0].c = prepared->u.sphere.c;
-  root[0].q = outside > 0 ? -1 : 1;
-  if (outside <= 0) return 1;
-  root[1] = root[0];
-  root[1].q = 1;
-  return fc_i128_sign(d) > 0 ? 2 : 1;
+  root->p = fc_i128_from(b);
+  root->m = fc_i128_from(a);
+  root->c = prepared->u.sphere.c;
+  root->d = fc_i128_sub(fc_i128_mul(b, b), fc_i128_scale(root->c, a));
+  root->q = outside > 0 ? -1 : 1;
+  sign = fc_i128_sign(root->d);
+  if (sign < 0) return 0;
+  return outside > 0 && sign > 0 ? 2 : 1;
 }
 
 static FC_COLD int8_t side(const fc_form *form, const int64_t point[3]) {
@@ -163,7 +162,7 @@ static const uint8_t away[] FC_ROM = {FC_SUM(1, 0), FC_TIMES(4, 7), FC_SUM(0, 2)
                                       FC_SUM(1, 0), FC_TIMES(0, 7), 0};
 /* (P - L).(C - L) */
 static const uint8_t ahead[] FC_ROM = {FC_SUM(1, 1), FC_TIMES(3, 7), FC_TIMES(4, 7), FC_SUM(1, 1), FC_TIMES(2, 7),
-                                       FC_TIMES(1, 7), FC_SUM(1, 1), FC_TIMES(7, 7), FC_TIMES(7, 7), 0};
+                                       FC_TIMES(1, 7), FC_NOTHING, 0};
 /* ((P - L).(C - L))^2 - |P - L|^2 (|C - L|^2 - r^2): not negative where the line meets the sphere */
 static const uint8_t met[] FC_ROM = {
     FC_SUM(2, 3), FC_TIMES(5, 7), FC_TIMES(3, 7), FC_TIMES(4, 7), FC_TIMES(4, 7), FC_TIMES(6, 6), /* 8: |C - L|^2 - r^2 */
@@ -183,7 +182,10 @@ static FC_COLD int8_t sign_of(const uint8_t *program, const fc_form *form, const
   v[2] = form->u.sphere.center;
   fc_wide_start(&w);
   for (i = 0; i < 3; i++)
-    for (j = i; j < 3; j++) fc_wide_push(&w, fc_i128_dot(v[i], v[j])); /* 62 bits and two at most a factor */
+    for (j = i; j < 3; j++) {
+      fc_i128 dot = fc_i128_dot(v[i], v[j]); /* factors of up to 62 bits */
+      fc_wide_push(&w, &dot);
+    }
   fc_wide_push64(&w, form->u.sphere.radius);
   fc_wide_push64(&w, 1);
   fc_wide_run(&w, program);

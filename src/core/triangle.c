@@ -221,7 +221,7 @@ static int8_t edge_sign(const fc_prepared *prepared, uint8_t i, const int64_t d[
   return sign;
 }
 
-static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
+static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root *root) {
   int64_t reach = fc_small_norm1(direction);
   int8_t side = fc_i128_sign(prepared->u.triangle.side);
   fc_i128 along;
@@ -231,10 +231,10 @@ static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_
   /* The edge forms add up to normal . direction, which therefore has the sign of `side` too. */
   along = fc_i128_dot(prepared->u.triangle.normal, direction);
   if (fc_i128_sign(along) != side) return 0;
-  root[0].p = fc_i128_abs(prepared->u.triangle.side);
-  root[0].m = fc_i128_abs(along);
-  root[0].d = root[0].c = fc_i128_from(0);
-  root[0].q = 0;
+  root->p = fc_i128_abs(prepared->u.triangle.side);
+  root->m = fc_i128_abs(along);
+  root->d = root->c = fc_i128_from(0);
+  root->q = 0;
   return 1;
 }
 

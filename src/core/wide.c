@@ -15,31 +15,6 @@ static FC_COLD void append(fc_wide *w, uint8_t n, int8_t sign) {
   w->start[++w->count] = n;
 }
 
-FC_COLD void fc_wide_push(fc_wide *w, fc_i128 v) {
-  uint16_t *to = w->limb + w->start[w->count];
-  fc_i128 m = fc_i128_abs(v);
-  uint8_t i;
-  for (i = 0; i < 4; i++) {
-    to[i] = (uint16_t)m.lo;
-    to[i + 4] = (uint16_t)m.hi;
-    m.lo >>= 16;
-    m.hi >>= 16;
-  }
-  append(w, 8, fc_i128_sign(v));
-}
-
-FC_COLD void fc_wide_push64(fc_wide *w, int64_t v) { fc_wide_push(w, fc_i128_from(v)); }
-
-FC_COLD void fc_wide_keep(fc_wide *w, uint8_t n) {
-  uint8_t first = (uint8_t)(w->count - n), gap = w->start[first], i;
-  for (i = gap; i < w->start[w->count]; i++) w->limb[i - gap] = w->limb[i];
-  for (i = 0; i <= n; i++) {
-    w->start[i] = (uint8_t)(w->start[first + i] - gap);
-    if (i < n) w->sign[i] = w->sign[first + i];
-  }
-  w->count = n;
-}
-
 /* Two's complement. */
 static FC_COLD void negate(uint16_t *limb, uint8_t n) {
   uint32_t carry = 1;
@@ -49,6 +24,38 @@ static FC_COLD void negate(uint16_t *limb, uint8_t n) {
     limb[i] = (uint16_t)carry;
     carry >>= 16;
   }
+}
+
+FC_COLD void fc_wide_push(fc_wide *w, const fc_i128 *v) {
+  uint16_t *to = w->limb + w->start[w->count];
+  uint64_t word = v->lo;
+  uint8_t i;
+  int8_t sign = 1;
+  for (i = 0; i < 8; i++) {
+    if (i == 4) word = v->hi;
+    to[i] = (uint16_t)word;
+    word >>= 16;
+  }
+  if (to[7] >> 15) {
+    negate(to, 8);
+    sign = -1;
+  }
+  append(w, 8, sign);
+}
+
+FC_COLD void fc_wide_push64(fc_wide *w, int64_t v) {
+  fc_i128 wide = fc_i128_from(v);
+  fc_wide_push(w, &wide);
+}
+
+FC_COLD void fc_wide_keep(fc_wide *w, uint8_t n) {
+  uint8_t first = (uint8_t)(w->count - n), gap = w->start[first], i;
+  for (i = gap; i < w->start[w->count]; i++) w->limb[i - gap] = w->limb[i];
+  for (i = 0; i <= n; i++) {
+    w->start[i] = (uint8_t)(w->start[first + i] - gap);
+    if (i < n) w->sign[i] = w->sign[first + i];
+  }
+  w->count = n;
 }
 
 /* sum += a b, modulo 2^(16 n). */

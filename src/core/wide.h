@@ -21,7 +21,7 @@ typedef struct fc_wide {
 } fc_wide;
 
 void fc_wide_start(fc_wide *w);
-void fc_wide_push(fc_wide *w, fc_i128 v);
+void fc_wide_push(fc_wide *w, const fc_i128 *v);
 void fc_wide_push64(fc_wide *w, int64_t v);
 
 /* All but the last n values go. */
@@ -33,6 +33,7 @@ void fc_wide_keep(fc_wide *w, uint8_t n);
  */
 #define FC_SUM(plus, minus) ((plus) << 4 | (minus))
 #define FC_TIMES(i, j) ((i) << 4 | (j))
+#define FC_NOTHING FC_SUM(1, 1), FC_TIMES(0, 0), FC_TIMES(0, 0) /* the value 0 */
 void fc_wide_run(fc_wide *w, const uint8_t *program);
 
 #endif

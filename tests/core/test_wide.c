@@ -75,7 +75,7 @@ static void test_products_of_words(void) {
     fc_wide_push64(&w, 1);
     d = fc_i128_sub(fc_i128_mul(v[0], v[1]), fc_i128_mul(v[2], v[3]));
     fc_wide_run(&w, program);
-    fc_wide_push(&expected, d);
+    fc_wide_push(&expected, &d);
     fc_wide_keep(&w, 1);
     TEST_ASSERT_EQUAL_INT8(fc_i128_sign(d), w.sign[0]);
     TEST_ASSERT_EQUAL_INT8(expected.sign[0], w.sign[0]);
