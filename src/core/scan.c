@@ -15,12 +15,9 @@ static const int64_t eye[3] = {0, 0, 0}; /* camera space */
 
 /* Meets the primitive with the pixel's ray. */
 static bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_prepared *prepared, fc_root *root) {
-  fc_root roots[2];
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
   fc_kind_of(scan->at)->prepare(scan->form, eye, prepared);
-  if (fc_kind_of(scan->at)->test(prepared, d, roots) == 0) return false;
-  *root = roots[0];
-  return true;
+  return fc_kind_of(scan->at)->test(prepared, d, root) != 0;
 }
 
 bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
@@ -74,20 +71,9 @@ bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const f
   fc_surface surface;
   fc_segment segment;
   int64_t d[3];
-  uint8_t i;
   FC_TALLY(FC_DECIDE_LIT, true);
   surface_at(scan, row, column, d, &surface);
-  for (i = 0; i < 3; i++) {
-    segment.light[i] = scan->frame->lights[i];
-    segment.point[i] = surface.point[i];
-  }
-  segment.root = &surface.root;
-  segment.origin = eye;
-  segment.direction = d;
-  segment.point_error = 1;
-  segment.point_valid = surface.point_valid;
-  segment.outside = true;
-  fc_segment_prepare(&segment);
+  fc_surface_segment(&surface, scan->frame->lights, &segment);
   return kind->blocked(occluder, &segment);
 }
 
