@@ -9,9 +9,11 @@
 #if defined(__GNUC__)
 #define FC_NOINLINE __attribute__((noinline))
 #define FC_COLD __attribute__((noinline, cold))
+#define FC_INLINE static inline __attribute__((always_inline)) /* what inner loops are made of */
 #else
 #define FC_NOINLINE
 #define FC_COLD
+#define FC_INLINE static inline
 #endif
 
 /* Leading zeros of a non-zero word. */

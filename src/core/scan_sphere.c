@@ -284,7 +284,7 @@ typedef struct facing {
 } facing;
 
 /* v / p times 2^cut 2^31 / 2^16, v within 2^30: a product of 31 and 16 bits. */
-static inline int32_t over(int32_t v, uint32_t p, uint8_t cut) {
+FC_INLINE int32_t over(int32_t v, uint32_t p, uint8_t cut) {
   uint32_t r = fc_recip_q31(p >> cut);
   return fc_floor_shift32(v, 16) * (int32_t)r + (int32_t)((((uint32_t)v & 0xffffu) * r) >> 16);
 }
@@ -372,7 +372,7 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
 }
 
 /* The cosine in Q16 from s - h = e > 0. */
-static inline uint32_t cosine_of(uint32_t e, uint32_t sum, uint32_t h, uint32_t start) {
+FC_INLINE uint32_t cosine_of(uint32_t e, uint32_t sum, uint32_t h, uint32_t start) {
   /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
   uint32_t g = (sum - (((e >> 8) + start) * h >> 6)) << 6;
   uint8_t up = 15;
