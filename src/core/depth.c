@@ -1,10 +1,11 @@
 /* Depth codes: format choice, encoding with an exact tie break, decoding. */
 #include "depth.h"
 
+#include "bits.h"
 #include "num.h"
 #include "tally.h"
 
-void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
+FC_COLD void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
   uint8_t bits = frame->options.depth_exponent_bits;
   /* Something touches the eye's plane or has no end: sixteen octaves below the coordinates' range. */
   if (near == 0) near = ((far < (UINT64_C(1) << 30) ? far : (UINT64_C(1) << 30)) >> 16) + 1;
@@ -21,7 +22,7 @@ void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
   frame->depth_exponent_bits = bits;
 }
 
-uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root) {
+FC_COLD uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root) {
   uint8_t e_bits = frame->depth_exponent_bits, m_bits = (uint8_t)(16 - e_bits), drop = (uint8_t)(62 - m_bits);
   int32_t octaves = INT32_C(1) << e_bits, octave;
   fc_num z = fc_num_mul(fc_root_value(root), fc_num_from_u64((uint64_t)frame->view.focal, 0));
@@ -53,7 +54,7 @@ uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root) {
   return code > UINT16_MAX ? UINT16_MAX : (uint16_t)code;
 }
 
-uint32_t fc_depth_z(const fc_frame *frame, uint16_t code, int *exponent) {
+FC_COLD uint32_t fc_depth_z(const fc_frame *frame, uint16_t code, int *exponent) {
   uint8_t m_bits = (uint8_t)(16 - frame->depth_exponent_bits);
   int32_t octave = code >> m_bits, octaves = INT32_C(1) << frame->depth_exponent_bits;
   uint32_t mantissa = (UINT32_C(1) << m_bits) | (code & ((UINT32_C(1) << m_bits) - 1));

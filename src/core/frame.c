@@ -26,7 +26,7 @@ static size_t memory_of(const fc_scene *scene) {
   return cursor.bytes + (size_t)scene->light_count * 3 * sizeof(int64_t);
 }
 
-size_t fc_frame_memory(const fc_scene *scene_rom, int *error) {
+FC_COLD size_t fc_frame_memory(const fc_scene *scene_rom, int *error) {
   fc_scene scene;
   int status = fc_scene_check(scene_rom);
   if (error != NULL) *error = status;
@@ -145,7 +145,7 @@ static int check_options(const fc_options *options) {
   return FC_OK;
 }
 
-int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *camera_rom, const fc_options *options,
+FC_COLD int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *camera_rom, const fc_options *options,
                    uint16_t width, uint16_t height, void *memory, size_t memory_bytes) {
   fc_camera camera;
   size_t bytes;

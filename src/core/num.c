@@ -4,7 +4,7 @@
 #include "bits.h"
 #include "quick.h"
 
-fc_num fc_num_from_u64(uint64_t v, int32_t exponent) {
+FC_COLD fc_num fc_num_from_u64(uint64_t v, int32_t exponent) {
   fc_num r = {0, 0};
   if (v >> 63) {
     r.m = v >> 1;
@@ -17,7 +17,7 @@ fc_num fc_num_from_u64(uint64_t v, int32_t exponent) {
   return r;
 }
 
-fc_num fc_num_from_abs(fc_i128 v) {
+FC_COLD fc_num fc_num_from_abs(fc_i128 v) {
   fc_i128 a = fc_i128_abs(v);
   uint8_t s;
   if (a.hi == 0) return fc_num_from_u64(a.lo, 0);
@@ -27,7 +27,7 @@ fc_num fc_num_from_abs(fc_i128 v) {
   return fc_num_from_u64(a.hi, 64 - s);
 }
 
-fc_num fc_num_mul(fc_num a, fc_num b) {
+FC_COLD fc_num fc_num_mul(fc_num a, fc_num b) {
   /* 2^62..2^63 squared: 2^124 .. 2^126 */
   fc_i128 p = fc_i128_mul_u64(a.m, b.m);
   fc_num r = {0, 0};
@@ -61,7 +61,7 @@ static uint64_t quotient(uint64_t rest, uint64_t b, uint8_t k, uint8_t n) {
   return rest >= b ? q + 1 : q;
 }
 
-fc_num fc_num_div(fc_num a, fc_num b) {
+FC_COLD fc_num fc_num_div(fc_num a, fc_num b) {
   fc_num r = {0, 0};
   uint64_t rest = a.m;
   if (a.m == 0) return r;
@@ -76,7 +76,7 @@ fc_num fc_num_div(fc_num a, fc_num b) {
   return r;
 }
 
-fc_num fc_num_add(fc_num a, fc_num b) {
+FC_COLD fc_num fc_num_add(fc_num a, fc_num b) {
   fc_num t;
   int32_t s;
   if (a.m == 0) return b;
@@ -91,7 +91,7 @@ fc_num fc_num_add(fc_num a, fc_num b) {
   return fc_num_from_u64(a.m, a.e);
 }
 
-fc_num fc_num_sub(fc_num a, fc_num b) {
+FC_COLD fc_num fc_num_sub(fc_num a, fc_num b) {
   int32_t s = a.e - b.e;
   fc_num zero = {0, 0};
   if (b.m == 0) return a;
@@ -104,7 +104,7 @@ fc_num fc_num_sub(fc_num a, fc_num b) {
   return fc_num_from_u64(a.m, a.e);
 }
 
-uint32_t fc_sqrt64(uint64_t v) {
+FC_COLD uint32_t fc_sqrt64(uint64_t v) {
   /* normalised to 2^62 .. 2^64 - 1: 1 / root within 2^-26, so the root within 2^7, and after a step by what is left within 1 */
   uint8_t s;
   fc_quick y;
@@ -126,7 +126,7 @@ uint32_t fc_sqrt64(uint64_t v) {
   return r >> s;
 }
 
-fc_num fc_num_sqrt(fc_num a) {
+FC_COLD fc_num fc_num_sqrt(fc_num a) {
   /* An even exponent: m in 2^62 .. 2^64. r0 = floor(sqrt m) >= 2^31, rest = m - r0^2 <= 2 r0 < 2^33. The exact root is
    * r0 + f with f = rest/(2 r0) - f^2/(2 r0), so the next 31 bits by one division are off by less than
    * 2^31 / (2 r0) <= 1/2 plus truncation: relative error below 2^-61. */
@@ -143,18 +143,18 @@ fc_num fc_num_sqrt(fc_num a) {
   return fc_num_from_u64((r0 << 31) + (quotient(half, r0 << 31, 16, 2) >> 1), e / 2 - 31);
 }
 
-int8_t fc_num_compare(fc_num a, fc_num b) {
+FC_COLD int8_t fc_num_compare(fc_num a, fc_num b) {
   if (a.m == 0 || b.m == 0) return (int8_t)((a.m != 0) - (b.m != 0));
   if (a.e != b.e) return a.e < b.e ? -1 : 1;
   return (int8_t)((a.m > b.m) - (a.m < b.m));
 }
 
-fc_num fc_num_scale(fc_num a, int32_t exponent) {
+FC_COLD fc_num fc_num_scale(fc_num a, int32_t exponent) {
   if (a.m != 0) a.e += exponent;
   return a;
 }
 
-uint64_t fc_num_round(fc_num a, int32_t shift) {
+FC_COLD uint64_t fc_num_round(fc_num a, int32_t shift) {
   int32_t s = -(a.e + shift); /* bits to drop */
   if (a.m == 0 || s > 64) return 0;
   if (s < 0) return s == -1 ? a.m << 1 : UINT64_MAX;

@@ -9,7 +9,7 @@ static void read_item(const fc_shapes *shapes, uint16_t index, fc_plane *plane) 
   FC_READ(plane, (const fc_plane *)shapes->items + index, sizeof *plane);
 }
 
-static int check(const fc_scene *scene, const fc_shapes *shapes) {
+static FC_COLD int check(const fc_scene *scene, const fc_shapes *shapes) {
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
     fc_plane p;
@@ -24,7 +24,7 @@ static int check(const fc_scene *scene, const fc_shapes *shapes) {
   return FC_OK;
 }
 
-static size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_plane); }
+static FC_COLD size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_plane); }
 
 static void normal_of(const fc_plane *p, int64_t n[3]) {
   n[0] = p->normal.x;
@@ -40,7 +40,7 @@ static fc_i128 offset_from_eye(const fc_view *view, const fc_plane *p) {
   return fc_i128_neg(fc_i128_add(d, fc_i128_dot(n, view->eye)));
 }
 
-static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
+static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   fc_num most = {0, 0};
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
@@ -55,7 +55,7 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   return most;
 }
 
-static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
+static FC_COLD void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   fc_placed_plane *placed = to;
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
@@ -81,7 +81,7 @@ static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   }
 }
 
-static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
+static FC_COLD void fetch(const fc_group *group, uint16_t index, fc_form *form) {
   fc_plane p;
   read_item(&group->shapes, index, &p);
   form->material = p.material;
@@ -101,7 +101,7 @@ static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
   }
 }
 
-static void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
+static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
   /* 62 bits and 30 + 30 + 2: below 2^63 */
   const int64_t *n = form->u.plane.normal;
   prepared->u.plane.normal[0] = n[0];
@@ -110,7 +110,7 @@ static void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *p
   prepared->u.plane.side = form->u.plane.k - (n[0] * origin[0] + n[1] * origin[1] + n[2] * origin[2]);
 }
 
-static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
+static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
   /* t = side / (normal . direction): 30 + 30 + 2 bits */
   const int64_t *n = prepared->u.plane.normal;
   int64_t side = prepared->u.plane.side;
@@ -127,17 +127,17 @@ static int8_t side_of_light(const fc_form *form, const fc_segment *segment) {
   return fc_i128_sign(fc_i128_sub(fc_i128_from(form->u.plane.k), fc_i128_dot(form->u.plane.normal, segment->light)));
 }
 
-static bool blocked(const fc_form *form, const fc_segment *segment) {
+static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
   int8_t light = side_of_light(form, segment);
   if (light == 0) return false;
   return fc_side_of_point(segment, form->u.plane.normal, fc_i128_from(form->u.plane.k)) == -light;
 }
 
-static bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
+static FC_COLD bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
   return fc_sign64(prepared->u.plane.side) * side_of_light(form, segment) > 0;
 }
 
-static bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
+static FC_COLD bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
   (void)point;
   n[0] = form->u.plane.normal[0];
   n[1] = form->u.plane.normal[1];
@@ -145,7 +145,7 @@ static bool normal(const fc_form *form, const fc_prepared *prepared, const int64
   return prepared->u.plane.side > 0; /* k - n.O > 0: the origin is behind */
 }
 
-static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
+static FC_COLD void step_off(const fc_form *form, bool inside, int64_t point[3]) {
   fc_step_off_plane(form->u.plane.normal, fc_i128_from(form->u.plane.k), inside, point);
 }
 
@@ -174,7 +174,7 @@ static bool item_range(const fc_frame *frame, const fc_form *form, uint64_t *nea
   return hits > 0;
 }
 
-static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
+static FC_COLD void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
   uint16_t i;
   for (i = 0; i < group->shapes.count; i++) {
     fc_form form;

@@ -1,9 +1,10 @@
 /* Exact comparison of ray parameters: values first, surds when the values are too close. */
 #include "root.h"
 
+#include "bits.h"
 #include "tally.h"
 
-fc_num fc_root_value(const fc_root *root) {
+FC_COLD fc_num fc_root_value(const fc_root *root) {
   fc_num p = fc_num_from_abs(root->p), m = fc_num_from_abs(root->m), s;
   if (root->q == 0) return fc_num_div(p, m);
   s = fc_num_add(p, fc_num_sqrt(fc_num_from_abs(root->d)));
@@ -12,14 +13,14 @@ fc_num fc_root_value(const fc_root *root) {
   return fc_num_div(fc_num_from_abs(root->c), s);
 }
 
-int8_t fc_num_order(fc_num a, fc_num b) {
+FC_COLD int8_t fc_num_order(fc_num a, fc_num b) {
   int8_t order = fc_num_compare(a, b);
   fc_num big = order > 0 ? a : b, small = order > 0 ? b : a;
   if (order == 0) return 0;
   return fc_num_compare(fc_num_sub(big, small), fc_num_scale(big, -56)) > 0 ? order : 0;
 }
 
-int8_t fc_root_compare(const fc_root *a, const fc_root *b) {
+FC_COLD int8_t fc_root_compare(const fc_root *a, const fc_root *b) {
   fc_wide x, y, pa, pb, ma, mb, da, db;
   int8_t order = fc_num_order(fc_root_value(a), fc_root_value(b));
   FC_TALLY(FC_DECIDE_NEARER, order == 0);
@@ -39,7 +40,7 @@ int8_t fc_root_compare(const fc_root *a, const fc_root *b) {
   return fc_surd_sign2(&x, &mb, &da, &ma, &db);
 }
 
-int8_t fc_root_compare_ratio(const fc_root *root, const fc_wide *a, const fc_wide *b) {
+FC_COLD int8_t fc_root_compare_ratio(const fc_root *root, const fc_wide *a, const fc_wide *b) {
   /* a m - b p - b q sqrt(d) */
   fc_wide x, y, d;
   fc_wide_from(&x, root->m);
@@ -52,7 +53,7 @@ int8_t fc_root_compare_ratio(const fc_root *root, const fc_wide *a, const fc_wid
   return fc_surd_sign(&x, &y, &d);
 }
 
-int8_t fc_root_compare_q32(const fc_root *root, uint64_t t_q32) {
+FC_COLD int8_t fc_root_compare_q32(const fc_root *root, uint64_t t_q32) {
   fc_wide a, b;
   int8_t order = fc_num_order(fc_root_value(root), fc_num_from_u64(t_q32, -32));
   FC_TALLY(FC_DECIDE_FAR, order == 0);
@@ -62,7 +63,7 @@ int8_t fc_root_compare_q32(const fc_root *root, uint64_t t_q32) {
   return (int8_t)-fc_root_compare_ratio(root, &a, &b);
 }
 
-int8_t fc_root_compare_distance(const fc_root *root, int64_t length2, int32_t far, int16_t exponent) {
+FC_COLD int8_t fc_root_compare_distance(const fc_root *root, int64_t length2, int32_t far, int16_t exponent) {
   fc_wide x, y, z, d;
   fc_num t = fc_root_value(root), limit = fc_num_from_u64((uint64_t)far, exponent);
   int8_t order = fc_num_order(fc_num_mul(fc_num_mul(t, t), fc_num_from_u64((uint64_t)length2, 0)),

@@ -6,7 +6,7 @@
 #include "bits.h"
 #include "tally.h"
 
-bool fc_point_at(fc_num t, const int64_t origin[3], const int64_t direction[3], int64_t point[3]) {
+FC_COLD bool fc_point_at(fc_num t, const int64_t origin[3], const int64_t direction[3], int64_t point[3]) {
   /* |t direction| < 2^(t.e + 63 + 30): a value of up to 57 bits carries less than 2^-1 of relative error */
   uint8_t i, bits = fc_vector_bits(direction);
   bool valid = t.e + 63 + bits <= 56;
@@ -19,7 +19,7 @@ bool fc_point_at(fc_num t, const int64_t origin[3], const int64_t direction[3], 
   return valid;
 }
 
-void fc_segment_prepare(fc_segment *segment) {
+FC_COLD void fc_segment_prepare(fc_segment *segment) {
   uint8_t i, bits = fc_vector_bits(segment->light), point_bits = fc_vector_bits(segment->point);
   if (point_bits > bits) bits = point_bits;
   segment->unit = bits > 30 ? (uint8_t)(bits - 30) : 0;
@@ -34,7 +34,7 @@ void fc_segment_prepare(fc_segment *segment) {
   }
 }
 
-void fc_exact_point_of(fc_exact_point *p, const fc_segment *segment) {
+FC_COLD void fc_exact_point_of(fc_exact_point *p, const fc_segment *segment) {
   uint8_t i;
   const fc_root *root = segment->root;
   if (root == NULL) {
@@ -59,12 +59,12 @@ void fc_exact_point_of(fc_exact_point *p, const fc_segment *segment) {
   }
 }
 
-fc_i128 fc_norm1(const int64_t a[3]) {
+FC_COLD fc_i128 fc_norm1(const int64_t a[3]) {
   return fc_i128_add(fc_i128_from_u64(fc_abs64(a[0])),
                      fc_i128_add(fc_i128_from_u64(fc_abs64(a[1])), fc_i128_from_u64(fc_abs64(a[2]))));
 }
 
-int8_t fc_side_of_point(const fc_segment *segment, const int64_t n[3], fc_i128 k) {
+FC_COLD int8_t fc_side_of_point(const fc_segment *segment, const int64_t n[3], fc_i128 k) {
   fc_exact_point p;
   fc_wide x, y, term;
   uint8_t i;
@@ -88,15 +88,15 @@ int8_t fc_side_of_point(const fc_segment *segment, const int64_t n[3], fc_i128 k
   return fc_surd_sign(&x, &y, &p.d);
 }
 
-void fc_cross(const int64_t a[3], const int64_t b[3], int64_t r[3]) {
+FC_COLD void fc_cross(const int64_t a[3], const int64_t b[3], int64_t r[3]) {
   r[0] = a[1] * b[2] - a[2] * b[1];
   r[1] = a[2] * b[0] - a[0] * b[2];
   r[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-uint8_t fc_vector_bits(const int64_t a[3]) { return fc_bits64(fc_abs64(a[0]) | fc_abs64(a[1]) | fc_abs64(a[2])); }
+FC_COLD uint8_t fc_vector_bits(const int64_t a[3]) { return fc_bits64(fc_abs64(a[0]) | fc_abs64(a[1]) | fc_abs64(a[2])); }
 
-void fc_step_off_plane(const int64_t n[3], fc_i128 k, bool behind, int64_t point[3]) {
+FC_COLD void fc_step_off_plane(const int64_t n[3], fc_i128 k, bool behind, int64_t point[3]) {
   uint8_t axis = 0, i;
   int64_t step;
   for (i = 1; i < 3; i++)

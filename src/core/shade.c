@@ -5,7 +5,7 @@
 #include "pixel.h"
 #include "view.h"
 
-void fc_surface_offset(const fc_surface *surface, int rule, int64_t epsilon, int64_t point[3]) {
+FC_COLD void fc_surface_offset(const fc_surface *surface, int rule, int64_t epsilon, int64_t point[3]) {
   uint8_t i;
   for (i = 0; i < 3; i++) point[i] = surface->point[i];
   if (rule == FC_OFFSET_RESIDUAL) {
@@ -77,7 +77,7 @@ static bool reached(const fc_frame *frame, const fc_space *space, const fc_surfa
   return !fc_space_blocked(space, segment, FC_PRIMITIVES_MAX);
 }
 
-bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const int64_t position[3]) {
+FC_COLD bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const int64_t position[3]) {
   fc_segment segment;
   segment.light[0] = position[0];
   segment.light[1] = position[1];
@@ -85,7 +85,7 @@ bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_sur
   return reached(frame, space, surface, &segment);
 }
 
-void fc_shade(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const uint8_t most[3],
+FC_COLD void fc_shade(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const uint8_t most[3],
               uint8_t level[3], uint32_t *lit) {
   /* light arriving a channel, Q39: 16 + 32 bits a light, 65535 lights and ambient: below 2^64 */
   uint64_t sum[3];

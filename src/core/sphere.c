@@ -11,7 +11,7 @@ static void read_item(const fc_shapes *shapes, uint16_t index, fc_sphere *sphere
   FC_READ(sphere, (const fc_sphere *)shapes->items + index, sizeof *sphere);
 }
 
-static int check(const fc_scene *scene, const fc_shapes *shapes) {
+static FC_COLD int check(const fc_scene *scene, const fc_shapes *shapes) {
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
     fc_sphere s;
@@ -25,7 +25,7 @@ static int check(const fc_scene *scene, const fc_shapes *shapes) {
   return FC_OK;
 }
 
-static size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_sphere); }
+static FC_COLD size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_sphere); }
 
 /* |offset| + radius 2^fine, within 2^-23. */
 static fc_quick quick_reach(const int64_t offset[3], uint64_t radius, uint8_t fine) {
@@ -41,7 +41,7 @@ static fc_quick quick_reach(const int64_t offset[3], uint64_t radius, uint8_t fi
   return fc_quick_add(fc_quick_scale(sum, (int16_t)shift), fc_quick_from(radius, (int16_t)fine));
 }
 
-static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
+static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   /* the reach of each to 2^-23 first; then exactly those that may be the farthest */
   fc_num most = {0, 0};
   fc_quick farthest = {0, 0};
@@ -70,7 +70,7 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   return most;
 }
 
-static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
+static FC_COLD void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   fc_placed_sphere *placed = to;
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
@@ -85,7 +85,7 @@ static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   }
 }
 
-static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
+static FC_COLD void fetch(const fc_group *group, uint16_t index, fc_form *form) {
   fc_sphere s;
   read_item(&group->shapes, index, &s);
   form->material = s.material;
@@ -109,13 +109,13 @@ static fc_i128 power(const int64_t v[3], int64_t radius) {
   return fc_i128_sub(fc_i128_dot(v, v), fc_i128_mul(radius, radius));
 }
 
-static void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
+static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
   uint8_t i;
   for (i = 0; i < 3; i++) prepared->u.sphere.oc[i] = form->u.sphere.center[i] - origin[i];
   prepared->u.sphere.c = power(prepared->u.sphere.oc, form->u.sphere.radius);
 }
 
-static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
+static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
   /* t = (b -+ sqrt(b^2 - a c)) / a with b = direction . oc (the half coefficient's negative).
    * direction 30 bits, oc 31: b < 3 * 2^61 < 2^63; a < 3 * 2^60; |c| < 2^64: a c < 2^126, b^2 < 2^126 (Lagrange:
    * b^2 <= a |oc|^2), so the difference is below 2^127. */
@@ -217,7 +217,7 @@ static bool exact_passes(const fc_form *form, const fc_segment *segment, const f
   return fc_surd_sign(&x, &y, &p->d) >= 0;
 }
 
-static bool exact_blocked(const fc_form *form, const fc_segment *segment, fc_i128 q_light) {
+static FC_COLD bool exact_blocked(const fc_form *form, const fc_segment *segment, fc_i128 q_light) {
   fc_exact_point p;
   int8_t at_light = fc_i128_sign(q_light), at_point;
   fc_exact_point_of(&p, segment);
@@ -295,7 +295,7 @@ static int8_t quick_blocked(const fc_form *form, const fc_segment *segment, fc_i
   return -1;
 }
 
-static bool blocked(const fc_form *form, const fc_segment *segment) {
+static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
   int64_t c_light[3], low[3], high[3];
   fc_i128 q_light;
   int8_t quick;
@@ -346,7 +346,7 @@ static int8_t outward_sign(const fc_form *form, const fc_segment *segment) {
   return fc_surd_sign(&x, &y, &p.d);
 }
 
-static bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
+static FC_COLD bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
   int64_t c_light[3];
   uint8_t i;
   if (fc_i128_sign(prepared->u.sphere.c) > 0) return outward_sign(form, segment) > 0;
@@ -355,14 +355,14 @@ static bool facing(const fc_form *form, const fc_prepared *prepared, const fc_se
   return fc_i128_sign(power(c_light, form->u.sphere.radius)) <= 0 && outward_sign(form, segment) < 0;
 }
 
-static bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
+static FC_COLD bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
   uint8_t i;
   (void)prepared;
   for (i = 0; i < 3; i++) n[i] = point[i] - form->u.sphere.center[i];
   return false; /* which side is seen, the root knows */
 }
 
-static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
+static FC_COLD void step_off(const fc_form *form, bool inside, int64_t point[3]) {
   /* The point is within 1 unit an axis of the sphere, so a few unit steps along the normal's dominant axis cross it. */
   uint8_t axis = 0, i;
   int64_t v[3], step;
@@ -378,7 +378,7 @@ static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
   }
 }
 
-static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
+static FC_COLD void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
   uint16_t i;
   (void)frame;
   for (i = 0; i < group->shapes.count; i++) {

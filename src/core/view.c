@@ -13,7 +13,7 @@ static int32_t unit_q30(fc_i128 v, fc_num length) {
   return fc_i128_sign(v) < 0 ? -q : q;
 }
 
-fc_num fc_length(const int64_t v[3]) {
+FC_COLD fc_num fc_length(const int64_t v[3]) {
   /* components below 2^63: squares below 2^126 as values, no overflow */
   fc_num sum = {0, 0};
   uint8_t i;
@@ -96,7 +96,7 @@ static int set_focal(fc_view *view, const fc_camera *camera, uint16_t width, uin
   return FC_OK;
 }
 
-int fc_view_from_camera(fc_view *view, const fc_camera *camera, uint16_t width, uint16_t height) {
+FC_COLD int fc_view_from_camera(fc_view *view, const fc_camera *camera, uint16_t width, uint16_t height) {
   int error = set_rows(view, camera);
   if (error == FC_OK) error = set_eye(view, camera);
   if (error == FC_OK) error = set_focal(view, camera, width, height);
@@ -104,7 +104,7 @@ int fc_view_from_camera(fc_view *view, const fc_camera *camera, uint16_t width, 
   return error;
 }
 
-void fc_view_offset(const fc_view *view, const fc_vec3 *v, int64_t offset[3]) {
+FC_COLD void fc_view_offset(const fc_view *view, const fc_vec3 *v, int64_t offset[3]) {
   /* 30 + 31 bits minus 61 bits: below 2^62 */
   int64_t one = INT64_C(1) << view->fine;
   offset[0] = v->x * one - view->eye[0];
@@ -112,7 +112,7 @@ void fc_view_offset(const fc_view *view, const fc_vec3 *v, int64_t offset[3]) {
   offset[2] = v->z * one - view->eye[2];
 }
 
-bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponent, int64_t point[3]) {
+FC_COLD bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponent, int64_t point[3]) {
   int64_t p[3];
   uint8_t i;
   int16_t up = (int16_t)(exponent + view->fine); /* -31 .. 63 */
@@ -140,7 +140,7 @@ static int32_t clamp_coordinate(int64_t v) {
   return v < -FC_COORDINATE_MAX ? -FC_COORDINATE_MAX : (int32_t)v;
 }
 
-void fc_view_to_world(const fc_view *view, fc_num t, const int64_t direction[3], fc_vec3 *v) {
+FC_COLD void fc_view_to_world(const fc_view *view, fc_num t, const int64_t direction[3], fc_vec3 *v) {
   int32_t out[3];
   uint8_t i;
   for (i = 0; i < 3; i++) {
@@ -167,7 +167,7 @@ void fc_view_direction(const fc_frame *frame, uint16_t x, uint16_t y, int64_t di
   direction[2] = frame->view.focal;
 }
 
-int32_t fc_view_project(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z) {
+FC_COLD int32_t fc_view_project(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z) {
   /* Half pixels from the centre: a F / (z 2^pixel_shift), 32 + 30 bits over at least 1. A divisor beyond 62 bits would
    * overflow: z below 2^31 and pixel_shift below 30 keep it within 61. */
   int64_t half = a * frame->view.focal / (z * (INT64_C(1) << frame->view.pixel_shift));
@@ -178,14 +178,14 @@ int32_t fc_view_project(const fc_frame *frame, uint8_t axis, int64_t a, int64_t 
   return pixel < -4 ? -2 : (int32_t)(pixel / 2);
 }
 
-bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t d[3]) {
+FC_COLD bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t d[3]) {
   if (frame->scene.far_limit == 0) return false;
   /* 30-bit components: below 3 * 2^60 */
   return fc_root_compare_distance(root, d[0] * d[0] + d[1] * d[1] + d[2] * d[2], frame->scene.far_limit,
                                   fc_view_far_exponent(frame)) > 0;
 }
 
-bool fc_window_cut(const fc_frame *frame, fc_window *box) {
+FC_COLD bool fc_window_cut(const fc_frame *frame, fc_window *box) {
   if (box->x0 < 0) box->x0 = 0;
   if (box->y0 < 0) box->y0 = 0;
   if (box->x1 > frame->width - 1) box->x1 = frame->width - 1;
@@ -221,7 +221,7 @@ static void ball_span(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z,
   }
 }
 
-bool fc_ball_window(const fc_frame *frame, const int64_t c[3], int64_t r, fc_window *box) {
+FC_COLD bool fc_ball_window(const fc_frame *frame, const int64_t c[3], int64_t r, fc_window *box) {
   box->x0 = box->y0 = 0;
   box->x1 = frame->width - 1;
   box->y1 = frame->height - 1;

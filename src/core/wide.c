@@ -3,12 +3,14 @@
 
 #include <string.h>
 
+#include "bits.h"
+
 static void trim(fc_wide *r) {
   while (r->count > 0 && r->limb[r->count - 1] == 0) r->count--;
   if (r->count == 0) r->sign = 0;
 }
 
-void fc_wide_from(fc_wide *r, fc_i128 v) {
+FC_COLD void fc_wide_from(fc_wide *r, fc_i128 v) {
   fc_i128 m = fc_i128_abs(v);
   r->sign = fc_i128_sign(v);
   r->count = 4;
@@ -19,9 +21,9 @@ void fc_wide_from(fc_wide *r, fc_i128 v) {
   trim(r);
 }
 
-void fc_wide_from_i64(fc_wide *r, int64_t v) { fc_wide_from(r, fc_i128_from(v)); }
+FC_COLD void fc_wide_from_i64(fc_wide *r, int64_t v) { fc_wide_from(r, fc_i128_from(v)); }
 
-void fc_wide_neg(fc_wide *a) { a->sign = (int8_t)-a->sign; }
+FC_COLD void fc_wide_neg(fc_wide *a) { a->sign = (int8_t)-a->sign; }
 
 static int8_t compare_magnitude(const fc_wide *a, const fc_wide *b) {
   uint8_t i;
@@ -90,11 +92,11 @@ static void add_signed(fc_wide *r, const fc_wide *a, const fc_wide *b, int8_t b_
   }
 }
 
-void fc_wide_add(fc_wide *r, const fc_wide *a, const fc_wide *b) { add_signed(r, a, b, b->sign); }
+FC_COLD void fc_wide_add(fc_wide *r, const fc_wide *a, const fc_wide *b) { add_signed(r, a, b, b->sign); }
 
-void fc_wide_sub(fc_wide *r, const fc_wide *a, const fc_wide *b) { add_signed(r, a, b, (int8_t)-b->sign); }
+FC_COLD void fc_wide_sub(fc_wide *r, const fc_wide *a, const fc_wide *b) { add_signed(r, a, b, (int8_t)-b->sign); }
 
-void fc_wide_mul(fc_wide *r, const fc_wide *a, const fc_wide *b) {
+FC_COLD void fc_wide_mul(fc_wide *r, const fc_wide *a, const fc_wide *b) {
   fc_wide p;
   uint8_t i, j;
   p.sign = (int8_t)(a->sign * b->sign);
@@ -117,13 +119,13 @@ void fc_wide_mul(fc_wide *r, const fc_wide *a, const fc_wide *b) {
   *r = p;
 }
 
-void fc_wide_mul_i64(fc_wide *r, const fc_wide *a, int64_t b) {
+FC_COLD void fc_wide_mul_i64(fc_wide *r, const fc_wide *a, int64_t b) {
   fc_wide w;
   fc_wide_from_i64(&w, b);
   fc_wide_mul(r, a, &w);
 }
 
-void fc_wide_shift_left(fc_wide *r, const fc_wide *a, uint16_t s) {
+FC_COLD void fc_wide_shift_left(fc_wide *r, const fc_wide *a, uint16_t s) {
   uint8_t words = (uint8_t)(s / 32), rest = (uint8_t)(s % 32), i;
   fc_wide p;
   if (a->sign == 0) {
@@ -144,7 +146,7 @@ void fc_wide_shift_left(fc_wide *r, const fc_wide *a, uint16_t s) {
   *r = p;
 }
 
-void fc_wide_dot(fc_wide *r, const fc_wide a[3], const fc_wide b[3]) {
+FC_COLD void fc_wide_dot(fc_wide *r, const fc_wide a[3], const fc_wide b[3]) {
   fc_wide sum, term;
   fc_wide_mul(&sum, &a[0], &b[0]);
   fc_wide_mul(&term, &a[1], &b[1]);
@@ -153,7 +155,7 @@ void fc_wide_dot(fc_wide *r, const fc_wide a[3], const fc_wide b[3]) {
   fc_wide_add(r, &sum, &term);
 }
 
-int8_t fc_surd_sign(const fc_wide *x, const fc_wide *y, const fc_wide *d) {
+FC_COLD int8_t fc_surd_sign(const fc_wide *x, const fc_wide *y, const fc_wide *d) {
   fc_wide xx, yy;
   int8_t ys = d->sign == 0 ? 0 : y->sign;
   if (ys == 0 || x->sign == ys) return x->sign == 0 ? ys : x->sign;
@@ -169,7 +171,7 @@ int8_t fc_surd_sign(const fc_wide *x, const fc_wide *y, const fc_wide *d) {
   }
 }
 
-int8_t fc_surd_sign2(const fc_wide *x, const fc_wide *y, const fc_wide *d, const fc_wide *z, const fc_wide *e) {
+FC_COLD int8_t fc_surd_sign2(const fc_wide *x, const fc_wide *y, const fc_wide *d, const fc_wide *z, const fc_wide *e) {
   fc_wide a, b;
   int8_t first = fc_surd_sign(x, y, d);
   int8_t second = e->sign == 0 ? 0 : z->sign;
