@@ -31,7 +31,7 @@ static uint64_t reach_of(int64_t at, int64_t dx, int64_t dy, const fc_scan *scan
 }
 
 /* W and the cosine's numerator over the tile; false when W is so small that its cuts would tell. */
-static bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
+static FC_COLD bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
   const int64_t *n = planar->normal, *light = scan->frame->lights;
   int64_t d[3], step, nd, ndx, ndy, at[3], dx[3], dy[3];
   fc_quick factor;
@@ -73,7 +73,7 @@ static bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
   return true;
 }
 
-uint8_t fc_ball_to_plane(const int64_t n[3], int64_t a, int64_t radius) {
+FC_COLD uint8_t fc_ball_to_plane(const int64_t n[3], int64_t a, int64_t radius) {
   /* (k - n.C)^2 against r^2 n.n: below 2^124 and 2^122 */
   fc_i128 have = fc_i128_mul(a, a), touch = fc_i128_mul(radius * radius, fc_small_dot(n, n));
   if (fc_i128_compare(have, touch) >= 0) return FC_BALL_CLEAR;
@@ -82,7 +82,7 @@ uint8_t fc_ball_to_plane(const int64_t n[3], int64_t a, int64_t radius) {
   return fc_i128_compare(have, touch) >= 0 ? FC_BALL_DIPS : FC_BALL_CUTS;
 }
 
-bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
+FC_COLD bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
                           fc_window *doubt) {
   const int64_t *n = receiver->normal;
   int64_t above = receiver->k - fc_small_dot(n, center), t[3], to_light[3]; /* 62 and 61 bits */
@@ -144,7 +144,7 @@ bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const 
   return true;
 }
 
-void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder) {
+FC_COLD void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder) {
   uint16_t row, column;
   for (row = scan->first_row; row <= scan->last_row; row++)
     for (column = 0; column < scan->columns; column++) {
@@ -158,7 +158,7 @@ typedef struct caster {
   const fc_planar *planar;
 } caster;
 
-static bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
+static FC_COLD bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
   const caster *c = context;
   fc_form form;
   if ((uint16_t)(at->group.first + index) == c->scan->primitive) return false;
@@ -195,7 +195,7 @@ static bool row_ends(const fc_scan *scan, uint16_t row, uint16_t ends[2]) {
 /* Corners around the points of the plane that a tile's mask shows: those of the mask's rectangle; where they lie beyond the
  * horizon, the ends of its rows. Lines of pixels are lines on the plane, so hulls are hulls. Returns their number, 0 where
  * they are too far away. */
-static FC_NOINLINE uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, int64_t points[6 * FC_SCAN_ROWS]) {
+static FC_COLD uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, int64_t points[6 * FC_SCAN_ROWS]) {
   uint16_t row, ends[2], left = UINT16_MAX, right = 0, top = 0, bottom = 0;
   uint8_t count = 0, i;
   for (row = 0; row < scan->rows; row++) {
@@ -218,7 +218,7 @@ static FC_NOINLINE uint8_t find_hull(const fc_scan *scan, const fc_planar *plana
 }
 
 /* Hands those who may stand between the light and the hull to cast_one. */
-static void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners) {
+static FC_COLD void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners) {
   fc_space space = fc_space_of_frame(scan->frame);
   caster c;
   fc_reach reach;
@@ -232,7 +232,7 @@ static void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hul
   (void)fc_space_search(&space, corners > 0 ? &reach : NULL, cast_one, &c);
 }
 
-static FC_NOINLINE void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
+static FC_COLD void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
   int64_t points[6 * FC_SCAN_ROWS];
   cast_from(scan, planar, points, find_hull(scan, planar, points));
 }
@@ -296,7 +296,7 @@ static inline uint32_t cosine_of(uint32_t q, int32_t g) {
 }
 
 /* Lights the pixels in `bits` from where the forms stand. */
-static FC_NOINLINE void shade_run(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
+static FC_HOT void shade_run(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
                                   uint32_t bits, uint8_t *restrict to,
                                   uint8_t pixel_bytes) {
   for (; count != 0; count--, bits >>= 1, to += pixel_bytes) {
@@ -313,7 +313,7 @@ static FC_NOINLINE void shade_run(const fc_tint *restrict tint, cosine_row *rest
  * (|dW| / |W|)^2 cos a sqrt(cos^2 a + 4 sin^2 a) a column, at most 1.16 (|dW| / |W|)^2. A chord over m columns is off by at most
  * m^2 / 8 of that: 2^-8, a quarter of a level in 63, when |W| >= 6.1 m |dW| at its least; ddq is twice |dW|^2.
  */
-static FC_NOINLINE void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
+static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
                                      uint32_t bits, uint8_t *restrict to, uint8_t s) {
   /* s steps at once: q by m dq + m (m - 1) / 2 ddq */
   const uint32_t q_bend = (r->ddq << (2 * s - 1)) - (r->ddq << (s - 1)), chunk = (UINT32_C(1) << (1 << s)) - 1;
@@ -372,7 +372,7 @@ static uint8_t chord_of(uint32_t least, uint32_t ddq) {
   return q >> 2 >= ddq + (ddq >> 2) ? 3 : q >> 1 >= ddq ? 2 : q >= ddq ? 1 : 0;
 }
 
-static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
+static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
   uint16_t row;
   uint8_t word;
   for (row = scan->first_row; row <= scan->last_row; row++) {
@@ -433,13 +433,13 @@ static void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t norm
   planar->height = planar->k - fc_small_dot(planar->normal, scan->frame->lights);
 }
 
-int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]) {
+FC_COLD int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]) {
   int64_t side = planar->k - fc_small_dot(planar->normal, p);
   if (planar->slack == 0 || (int64_t)fc_abs64(side) > planar->slack) return fc_sign64(side);
   return fc_i128_sign(fc_i128_sub(planar->exact_k, fc_i128_dot(planar->exact, p))); /* 63 + 30 bits */
 }
 
-void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
+FC_COLD void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
   fc_planar planar;
   cosine g = {0, 0, 0};
   uint16_t row;
