@@ -1,8 +1,9 @@
 /* The scan engine on infinite planes: 1 / z is affine, and the horizon is where its sign changes. */
+#include "bits.h"
 #include "planar.h"
 #include "scan_kinds.h"
 
-void fc_plane_draw(fc_scan *scan) {
+FC_COLD void fc_plane_draw(fc_scan *scan) {
   const fc_placed_plane *placed = (const fc_placed_plane *)scan->at->group.memory + scan->index;
   const int64_t *n = scan->form->u.plane.normal;
   uint16_t row;
@@ -26,7 +27,7 @@ void fc_plane_draw(fc_scan *scan) {
   fc_planar_light(scan, n, fc_i128_from(scan->form->u.plane.k), NULL, 0);
 }
 
-void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
+FC_COLD void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
   fc_placed_plane *placed = memory;
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
@@ -58,7 +59,7 @@ void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memo
   }
 }
 
-bool fc_plane_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box) {
+FC_COLD bool fc_plane_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box) {
   (void)group;
   (void)index;
   box->x0 = box->y0 = 0;
@@ -67,12 +68,12 @@ bool fc_plane_window(const fc_frame *frame, const fc_group *group, uint16_t inde
   return true;
 }
 
-void fc_plane_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
+FC_COLD void fc_plane_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   (void)receiver;
   fc_planar_ask(scan, kind, form);
 }
 
-bool fc_plane_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
+FC_COLD bool fc_plane_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                       int64_t radius, fc_window *window) {
   /* 62 and 30 + 30 + 2 bits; lights of the scan engine are within 2^30 */
   const int64_t *n = form->u.plane.normal;
@@ -93,7 +94,7 @@ bool fc_plane_between(const fc_frame *frame, const fc_form *form, const int64_t 
   return fc_ball_window(frame, foot, (radius >> 4) + 4, window);
 }
 
-int8_t fc_plane_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+FC_COLD int8_t fc_plane_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
   /* sides: 62 and 30 + 30 + 2 bits; an error moves them by up to |n|_1 of it, below 2^52 */
   const int64_t *n = form->u.plane.normal;
   int64_t lamp = form->u.plane.k - fc_small_dot(n, light), wide[3], side;
