@@ -5,8 +5,8 @@
 #include <stdint.h>
 
 /* Inner loops stay functions of their own: a caller's variables would crowd them out of the registers. What runs once a
- * frame or once in a thousand pixels is kept small rather than fast, and out of the way; so are those that only such
- * functions call, but for loops that say they are hot. */
+ * frame or once in a thousand pixels is kept small rather than fast, and out of the way; so is what only such functions
+ * call, but for the loops that are hot. */
 #if defined(__GNUC__)
 #define FC_NOINLINE __attribute__((noinline))
 #define FC_HOT __attribute__((noinline, hot))

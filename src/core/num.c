@@ -48,7 +48,7 @@ FC_COLD fc_num fc_num_mul(fc_num a, fc_num b) {
  * than 2^21 (2^-25 + 2^-30) + 1 < 1 + 2^-3, so rest stays below b (1 + 2^-3) < 2^64, and differences that wrap on the way are
  * right.
  */
-static uint64_t quotient(uint64_t rest, uint64_t b, uint8_t k, uint8_t n) {
+static FC_COLD uint64_t quotient(uint64_t rest, uint64_t b, uint8_t k, uint8_t n) {
   const fc_quick r = fc_quick_recip(fc_quick_from(b >> 31, 0)); /* within 2^-26 */
   const uint32_t inverse = r.m - (r.m >> 25) - 1;
   uint64_t q = 0;

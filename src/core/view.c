@@ -8,7 +8,7 @@
 #include "segment.h"
 
 /* Rounds v / length to Q30, |v| <= length. */
-static int32_t unit_q30(fc_i128 v, fc_num length) {
+static FC_COLD int32_t unit_q30(fc_i128 v, fc_num length) {
   int32_t q = (int32_t)fc_num_round(fc_num_div(fc_num_from_abs(v), length), 30);
   return fc_i128_sign(v) < 0 ? -q : q;
 }
@@ -24,12 +24,12 @@ FC_COLD fc_num fc_length(const int64_t v[3]) {
   return fc_num_sqrt(sum);
 }
 
-static bool within_range(const fc_vec3 *v) {
+static FC_COLD bool within_range(const fc_vec3 *v) {
   return fc_abs32(v->x) <= (uint32_t)FC_COORDINATE_MAX && fc_abs32(v->y) <= (uint32_t)FC_COORDINATE_MAX &&
          fc_abs32(v->z) <= (uint32_t)FC_COORDINATE_MAX;
 }
 
-static int set_rows(fc_view *view, const fc_camera *camera) {
+static FC_COLD int set_rows(fc_view *view, const fc_camera *camera) {
   int64_t f[3], u[3], r[3];
   fc_num f_length, r_length;
   uint8_t i;
@@ -58,7 +58,7 @@ static int set_rows(fc_view *view, const fc_camera *camera) {
   return FC_OK;
 }
 
-static int set_eye(fc_view *view, const fc_camera *camera) {
+static FC_COLD int set_eye(fc_view *view, const fc_camera *camera) {
   int8_t e = camera->exponent;
   if (e < -31 || e > 31) return FC_ERR_EXPONENT;
   view->fine = (uint8_t)(e < 0 ? -e : 0);
@@ -69,7 +69,7 @@ static int set_eye(fc_view *view, const fc_camera *camera) {
   return FC_OK;
 }
 
-static int set_focal(fc_view *view, const fc_camera *camera, uint16_t width, uint16_t height) {
+static FC_COLD int set_focal(fc_view *view, const fc_camera *camera, uint16_t width, uint16_t height) {
   uint32_t span = width < height ? width : height;
   uint32_t longest = width < height ? height : width;
   uint64_t tan_max = (uint64_t)camera->tan_half_fov_denominator << 16;
@@ -135,7 +135,7 @@ FC_COLD bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponen
   return true;
 }
 
-static int32_t clamp_coordinate(int64_t v) {
+static FC_COLD int32_t clamp_coordinate(int64_t v) {
   if (v > FC_COORDINATE_MAX) return FC_COORDINATE_MAX;
   return v < -FC_COORDINATE_MAX ? -FC_COORDINATE_MAX : (int32_t)v;
 }
@@ -159,7 +159,7 @@ FC_COLD void fc_view_to_world(const fc_view *view, fc_num t, const int64_t direc
   v->z = out[2];
 }
 
-void fc_view_direction(const fc_frame *frame, uint16_t x, uint16_t y, int64_t direction[3]) {
+FC_COLD void fc_view_direction(const fc_frame *frame, uint16_t x, uint16_t y, int64_t direction[3]) {
   /* below 2^29 by the choice of pixel_shift */
   int32_t one = INT32_C(1) << frame->view.pixel_shift;
   direction[0] = (2 * (int32_t)x + 1 - frame->width) * one;
@@ -195,7 +195,7 @@ FC_COLD bool fc_window_cut(const fc_frame *frame, fc_window *box) {
 
 /* The first and last pixel of an axis at which a ball in front of the eye is seen: a, z of its center. The tangents through
  * the eye touch it where a / z = (a z +- r sqrt(a^2 + z^2 - r^2)) / (z^2 - r^2). */
-static void ball_span(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z, int64_t r, int32_t *first, int32_t *last) {
+static FC_COLD void ball_span(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z, int64_t r, int32_t *first, int32_t *last) {
   /* 30-bit factors; z > r > 0 */
   int64_t across = a * z, square = z * z - r * r, reach[2];
   fc_quick root = fc_quick_from((uint64_t)(a * a + square), 0), scale;
