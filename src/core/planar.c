@@ -73,74 +73,55 @@ static FC_COLD bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g)
   return true;
 }
 
-FC_COLD uint8_t fc_ball_to_plane(const int64_t n[3], int64_t a, int64_t radius) {
-  /* (k - n.C)^2 against r^2 n.n: below 2^124 and 2^122 */
-  fc_i128 have = fc_i128_mul(a, a), touch = fc_i128_mul(radius * radius, fc_small_dot(n, n));
-  if (fc_i128_compare(have, touch) >= 0) return FC_BALL_CLEAR;
-  /* a >= r |n| (1 - 2^-12) if a^2 >= r^2 n^2 (1 - 2^-12) */
-  touch = fc_i128_sub(touch, fc_i128_floor_shift(touch, 12));
-  return fc_i128_compare(have, touch) >= 0 ? FC_BALL_DIPS : FC_BALL_CUTS;
+FC_COLD int64_t fc_ball_foot(const int64_t n[3], const int32_t unit[3], int64_t above, const int64_t center[3], int64_t radius,
+                             int64_t foot[3]) {
+  /* |n| below 2^31 and at least 1, so 1 / |n| times |above| is within 2^-25 and 1: 2^-24 r + 2 where it is about r */
+  int64_t square = fc_small_dot(n, n), margin = fc_ball_margin(radius), dip;
+  int64_t rise = fc_quick_times(fc_quick_rsqrt(fc_quick_from((uint64_t)square, 0)), above, 0); /* INT32_MAX: farther */
+  uint8_t i;
+  for (i = 0; i < 3; i++) foot[i] = center[i] + fc_floor_shift64(unit[i] * rise, 30); /* 31 + 31 bits */
+  dip = radius - (int64_t)fc_abs64(rise) + margin;
+  if (dip > 0 && dip <= 2 * margin) {
+    /* balls rest on planes: above^2 against r^2 n.n, below 2^124 and 2^122 */
+    fc_i128 have = fc_i128_mul(above, above), touch = fc_i128_mul(radius * radius, square);
+    if (have.hi != touch.hi ? have.hi > touch.hi : have.lo >= touch.lo) return 0;
+  }
+  return dip;
 }
 
 FC_COLD bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
-                          fc_window *doubt) {
+                                  fc_window *doubt) {
   const int64_t *n = receiver->normal;
-  int64_t above = receiver->k - fc_small_dot(n, center), t[3], to_light[3]; /* 62 and 61 bits */
-  fc_num length, r = fc_num_from_u64((uint64_t)radius, 0), rise, dip, reach, foot;
+  int64_t above = receiver->k - fc_small_dot(n, center), t[3], to_light[3], margin = fc_ball_margin(radius), dip, reach;
+  fc_quick lever;
   uint8_t i;
-  bool front = above > 0;
   doubt->x0 = doubt->y0 = 1;
   doubt->x1 = doubt->y1 = 0;
-  if ((int64_t)fc_abs64(above) > receiver->slack) {
-    uint8_t how = fc_ball_to_plane(n, (int64_t)fc_abs64(above) - receiver->slack, radius);
-    if (how == FC_BALL_CLEAR) return front;
-    if (how == FC_BALL_DIPS && front) {
-      /* |L - T| / h below 2^q; the reach is then below r / 16 + 2^(q + 1) 2^-12 r */
-      int16_t q;
-      for (i = 0; i < 3; i++) {
-        t[i] = center[i] + fc_floor_shift64((int64_t)receiver->unit[i] * radius, 30);
-        to_light[i] = t[i] - scan->frame->lights[i];
-      }
-      q = (int16_t)(fc_vector_bits(to_light) + 1 + fc_vector_bits(n) + 1 - fc_bits64(fc_abs64(receiver->height)) + 1);
-      if (receiver->slack != 0) q++; /* the height's own, where it is more than twice that */
-      if (q <= 7 && (int64_t)fc_abs64(receiver->height) > 2 * receiver->slack) {
-        (void)fc_ball_window(scan->frame, t, (radius >> 4) + (radius >> (11 - (q < 0 ? 0 : q))) + 4, doubt);
-        return true;
-      }
+  dip = fc_ball_foot(n, receiver->unit, above, center, radius, t);
+  if (receiver->slack != 0) {
+    /* |n| is at least 2^29 then: the exact plane lies within 16 */
+    dip += 17;
+    margin += 17;
+  }
+  if (dip <= 0) return above > 0; /* clear of the plane */
+  if (above <= 0) dip = 2 * (radius + margin) - dip;
+  for (i = 0; i < 3; i++) to_light[i] = t[i] - scan->frame->lights[i]; /* below 2^33 */
+  if (receiver->height > 2 * receiver->slack && fc_vector_bits(t) <= 30) {
+    /* 2 dip |L - T| / (h / |n|), twice that for the height's own slack; the sum of three axes is more than the length */
+    lever = fc_quick_mul(fc_quick_from((uint64_t)dip, receiver->slack != 0 ? 2 : 1),
+                         fc_quick_from((uint64_t)fc_small_norm1(to_light), 0));
+    lever = fc_quick_mul(lever, fc_quick_recip(fc_quick_from((uint64_t)receiver->height, 0)));
+    lever = fc_quick_mul(lever, fc_quick_from((uint64_t)fc_small_norm1(n), 0));
+    if (lever.e <= 0) {
+      /* 31 + 32 bits; lever below 2^32 and within 2^-24; T within 2 margin + 1 an axis */
+      reach = 2 * ((int64_t)fc_sqrt64(2 * (uint64_t)(radius * dip)) + 1) + (int64_t)fc_quick_to_u64(lever);
+      (void)fc_ball_window(scan->frame, t, reach + (reach >> 24) + 4 * margin + 4, doubt);
+      return true;
     }
   }
-  length = fc_length(n);
-  rise = fc_num_div(fc_num_from_u64(fc_abs64(above), 0), length); /* of the center over the plane, or below it */
-  if (front)
-    dip = fc_num_compare(r, rise) > 0 ? fc_num_sub(r, rise) : fc_num_from_u64(0, 0);
-  else
-    dip = fc_num_add(r, rise);
-  /* the values' errors, and what a cut normal may move */
-  dip = fc_num_add(dip, fc_num_scale(r, -40));
-  dip = fc_num_add(dip, fc_num_div(fc_num_from_u64((uint64_t)receiver->slack, 0), length));
-  /* T = C + n (k - n.C) / n.n, rounded */
-  foot = fc_num_div(rise, length);
-  for (i = 0; i < 3; i++) {
-    int64_t move = (int64_t)fc_num_round(fc_num_mul(foot, fc_num_from_u64(fc_abs64(n[i]), 0)), 0);
-    t[i] = center[i] + ((n[i] < 0) == front ? -move : move);
-    to_light[i] = t[i] - scan->frame->lights[i];
-  }
-  reach = fc_num_scale(fc_num_sqrt(fc_num_mul(fc_num_scale(r, 1), dip)), 1);
-  foot = fc_num_mul(fc_num_mul(dip, fc_length(to_light)), length);
-  if ((int64_t)fc_abs64(receiver->height) <= 2 * receiver->slack) {
-    reach = fc_num_from_u64(1, 32); /* the light all but in the plane */
-  } else {
-    /* twice, for the height's own slack */
-    foot = fc_num_div(foot, fc_num_from_u64(fc_abs64(receiver->height), 0));
-    reach = fc_num_add(reach, fc_num_scale(foot, 2));
-  }
-  if (fc_num_compare(reach, fc_num_from_u64(1, 31)) >= 0 || fc_vector_bits(t) > 30) {
-    doubt->x0 = doubt->y0 = 0; /* everywhere */
-    doubt->x1 = scan->frame->width - 1;
-    doubt->y1 = scan->frame->height - 1;
-  } else {
-    (void)fc_ball_window(scan->frame, t, (int64_t)fc_num_round(reach, 0) + 4, doubt);
-  }
+  doubt->x0 = doubt->y0 = 0; /* everywhere */
+  doubt->x1 = scan->frame->width - 1;
+  doubt->y1 = scan->frame->height - 1;
   return true;
 }
 

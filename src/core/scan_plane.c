@@ -79,20 +79,14 @@ FC_COLD bool fc_plane_between(const fc_frame *frame, const fc_form *form, const 
   /* 62 and 30 + 30 + 2 bits; lights of the scan engine are within 2^30 */
   const int64_t *n = form->u.plane.normal;
   int64_t ball = form->u.plane.k - fc_small_dot(n, center), lamp = form->u.plane.k - fc_small_dot(n, light), foot[3];
-  uint8_t how = fc_ball_to_plane(n, (int64_t)fc_abs64(ball), radius), i;
-  window->x0 = window->y0 = 0;
-  window->x1 = frame->width - 1;
-  window->y1 = frame->height - 1;
-  if (how == FC_BALL_CUTS) return true;
+  int64_t dip = fc_ball_foot(n, form->u.plane.unit, ball, center, radius, foot);
+  (void)fc_plane_window(frame, NULL, 0, window);
   /* the center is strictly on one side: a point of the ball there is kept from no light on that side, or on the plane */
   if (fc_sign64(ball) * fc_sign64(lamp) < 0) return true;
-  if (how == FC_BALL_CLEAR) return false;
-  /* The part below the plane is within sqrt(2 r dip) < r / 32 of the foot of the center. */
-  for (i = 0; i < 3; i++) {
-    int64_t move = fc_floor_shift64((int64_t)form->u.plane.unit[i] * radius, 30);
-    foot[i] = center[i] + (ball < 0 ? -move : move);
-  }
-  return fc_ball_window(frame, foot, (radius >> 4) + 4, window);
+  if (dip <= 0) return false;
+  if (dip > radius) return true;
+  /* The part below the plane is within sqrt(2 r dip) of the foot of the center. */
+  return fc_ball_window(frame, foot, (int64_t)fc_sqrt64(2 * (uint64_t)(radius * dip)) + 4 * fc_ball_margin(radius) + 4, window);
 }
 
 FC_COLD int8_t fc_plane_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
