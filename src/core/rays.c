@@ -86,7 +86,11 @@ int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t
   uint32_t mask;
   uint16_t nearest;
   if (frame == NULL || hit == NULL) return FC_ERR_NULL;
-  if (x >= frame->width || y >= frame->height) return FC_ERR_SIZE;
+  if (x >= fc_view_columns(frame) || y >= fc_view_rows(frame)) return FC_ERR_SIZE;
+  if (frame->options.profile == FC_PROFILE_HALF) {
+    x /= 2;
+    y /= 2;
+  }
   space = fc_space_of_frame(frame);
   fc_view_direction(frame, x, y, d);
   nearest = fc_space_nearest(&space, eye, d, 0, UINT64_MAX, NULL);

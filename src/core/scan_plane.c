@@ -21,7 +21,8 @@ void fc_plane_draw(fc_scan *scan) {
     if (scan->columns > 1) dx = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, n[0] * step), placed->shift));
     if (scan->rows > 1) dy = fc_i128_to_i64(fc_i128_floor_shift(fc_i128_scale(scale, -n[1] * step), placed->shift));
     for (row = 0; row <= scan->last_row; row++, v += (uint64_t)dy)
-      if (row >= scan->first_row) fc_scan_affine(scan, row, 0, (uint16_t)(scan->columns - 1), fc_to_i64(v), dx, placed->gain, 3);
+      if (row >= scan->first_row && !fc_scan_skips(scan, row))
+        fc_scan_affine(scan, row, 0, (uint16_t)(scan->columns - 1), fc_to_i64(v), dx, placed->gain, 3);
   }
   fc_planar_light(scan, n, fc_i128_from(scan->form->u.plane.k), NULL, 0);
 }

@@ -276,76 +276,140 @@ static inline int32_t scaled_back(int32_t v, int16_t down) {
   return down >= 0 ? fc_floor_shift32(v, (uint8_t)down) : v * (INT32_C(1) << -down);
 }
 
+/* s - h of pixels whose p is in one octave, for face_octave. */
+typedef struct facing {
+  uint32_t low, margin;
+  int32_t dx, away;
+  uint8_t cut, down;
+} facing;
+
+/* v / p times 2^cut 2^31 / 2^16, v within 2^30: a product of 31 and 16 bits. */
+static inline int32_t over(int32_t v, uint32_t p, uint8_t cut) {
+  uint32_t r = fc_recip_q31(p >> cut);
+  return fc_floor_shift32(v, 16) * (int32_t)r + (int32_t)((((uint32_t)v & 0xffffu) * r) >> 16);
+}
+
 /* s - h of a pixel, refined. */
 static FC_NOINLINE int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
   uint32_t r = fc_recip_q31(p >> (octave - 15));
-  int32_t s = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16);
+  int32_t s = over(along, p, (uint8_t)(octave - 15));
   /* times 1 + rest with rest = 1 - x r, below 2^-13 */
   int32_t rest = (INT32_C(1) << 30) - (int32_t)fc_mulhi32(p << (31 - octave), r << 15);
   s += fc_floor_shift32(fc_floor_shift32(s, 17) * rest, 13);
   return scaled_back(s, (int16_t)(octave + light->shift)) - light->away;
 }
 
-/* Turns p of the pixels in `bits` into s - h in Q24; returns those that are within the margin, or out of reach, and in
- * *averted those that do not face the light. */
-static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *p, uint32_t *averted) {
-  const int32_t dx = light->dx, away = light->away;
-  const uint32_t margin = (uint32_t)light->margin;
-  const int16_t shift = light->shift;
-  const uint8_t lowest = light->octave, octaves = light->octaves;
-  uint32_t low = UINT32_C(1) << 31, open = 0, dark = 0, bit = 1;
-  uint8_t octave = 31;
-  for (; bits != 0; bits >>= 1, bit <<= 1, p++, along += dx) {
-    uint32_t v = *p, r;
+/* Turns p of the pixels from here on into s - h in Q24, until one leaves the octave, or `end`: marks those within the margin,
+ * which keep their p, and those that turn away. */
+static FC_NOINLINE uint32_t *face_octave(const facing *of, int32_t along, uint32_t *p, const uint32_t *end, uint32_t bit,
+                                         uint32_t *close, uint32_t *dark) {
+  const uint32_t low = of->low, margin = of->margin;
+  const int32_t dx = of->dx, away = of->away;
+  const uint8_t cut = of->cut, down = of->down;
+  uint32_t near = 0, averted = 0;
+  do {
+    uint32_t v = *p;
     int32_t e;
-    if (!(bits & 1)) continue;
-    while (v < low) {
-      low >>= 1;
-      octave--;
+    if (v - low >= low) break;
+    e = fc_floor_shift32(over(along, v, cut), down) - away;
+    if ((uint32_t)e + margin <= 2 * margin) {
+      near |= bit;
+    } else {
+      if (e < 0) averted |= bit;
+      *p = (uint32_t)e;
     }
-    while (v >> 1 >= low) {
-      low <<= 1;
-      octave++;
-    }
-    if ((uint8_t)(octave - lowest) > octaves) {
-      open |= bit;
+    bit <<= 1;
+    along = fc_to_i32((uint32_t)along + (uint32_t)dx); /* one step more than there are pixels */
+  } while (++p != end);
+  *close |= near;
+  *dark |= averted;
+  return p;
+}
+
+/* Turns p of the pixels in `bits` into s - h in Q24 (of others, too); returns those that are within the margin, or out of
+ * reach, and in *averted those that do not face the light. */
+static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *first, uint32_t *averted) {
+  uint32_t open = 0, dark = 0, close = 0, left, *p = first, *end = first;
+  facing of;
+  of.dx = light->dx;
+  of.away = light->away;
+  of.margin = (uint32_t)light->margin;
+  for (left = bits; left != 0; left >>= 1) end++;
+  while (p != end) {
+    uint32_t bit = UINT32_C(1) << (p - first), v = *p;
+    uint8_t octave;
+    int16_t down;
+    if (!(bits & bit)) {
+      p++;
       continue;
     }
-    r = fc_recip_q31(v >> (octave - 15));
-    /* along within 2^30, r within 2^16 */
-    e = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16);
-    e = scaled_back(e, (int16_t)(octave + shift)) - away;
-    if ((uint32_t)e + margin <= 2 * margin) {
-      int32_t fine = light->fine_margin;
-      e = refined(light, along, v, octave);
-      if (e >= -fine && e <= fine) open |= bit;
+    octave = (uint8_t)(31 - fc_clz32(v)); /* what is shown has a p */
+    down = (int16_t)(octave + light->shift);
+    if ((uint8_t)(octave - light->octave) > light->octaves) {
+      open |= bit;
+      p++;
+    } else if (down < 0) {
+      close |= bit;
+      p++;
+    } else {
+      of.low = UINT32_C(1) << octave;
+      of.cut = (uint8_t)(octave - 15);
+      of.down = (uint8_t)down;
+      p = face_octave(&of, along + of.dx * (int32_t)(p - first), p, end, bit, &close, &dark);
     }
+  }
+  for (p = first, left = close & bits; left != 0; left >>= 1, p++) {
+    int32_t e, fine = light->fine_margin;
+    uint32_t bit = UINT32_C(1) << (p - first);
+    if (!(left & 1)) continue;
+    e = refined(light, along + of.dx * (int32_t)(p - first), *p, (uint8_t)(31 - fc_clz32(*p)));
+    if (e >= -fine && e <= fine) open |= bit;
     if (e < 0) dark |= bit;
     *p = (uint32_t)e;
   }
-  *averted = dark & ~open;
+  *averted = dark & bits & ~open;
   return open;
 }
 
+/* The cosine in Q16 from s - h = e > 0. */
+static inline uint32_t cosine_of(uint32_t e, uint32_t sum, uint32_t h, uint32_t start) {
+  /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
+  uint32_t g = (sum - (((e >> 8) + start) * h >> 6)) << 6;
+  uint8_t up = 15;
+  while (g < UINT32_C(1) << 30) {
+    g <<= 2;
+    up--;
+  }
+  e = ((e >> 9) * fc_rsqrt_q15(g)) >> up;
+  return e > 65536 ? 65536 : e;
+}
+
 /* Colours the pixels of a row in `bits` from s - h > 0 of each. */
-static FC_NOINLINE void shade_row(const ball_light *restrict light, const fc_tint *restrict tint, uint32_t bits,
-                                  const uint32_t *restrict p, uint8_t *restrict to, uint8_t pixel_bytes) {
+static FC_NOINLINE void shade_plain(const ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to) {
   const uint32_t sum = (uint32_t)light->sum, h = (uint32_t)light->h >> 9, whole = (UINT32_C(1) << 24) - (uint32_t)light->h;
   const uint32_t start = (uint32_t)light->h >> 8;
-  for (; bits != 0; bits >>= 1, to += pixel_bytes, p++) {
-    uint32_t e = *p, g;
-    uint8_t up = 15;
+  const uint32_t red = tint->base[0], green = tint->base[1], blue = tint->base[2];
+  const uint32_t red_slope = tint->slope[0], green_slope = tint->slope[1], blue_slope = tint->slope[2];
+  for (; bits != 0; bits >>= 1, to += 2, p++) {
+    uint32_t e = *p, packed;
     if (!(bits & 1)) continue;
-    if (e > whole) e = whole;
-    /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
-    g = (sum - (((e >> 8) + start) * h >> 6)) << 6;
-    while (g < UINT32_C(1) << 30) {
-      g <<= 2;
-      up--;
-    }
-    e = ((e >> 9) * fc_rsqrt_q15(g)) >> up;
-    fc_tint_put(tint, e > 65536 ? 65536 : e, to);
+    e = cosine_of(e > whole ? whole : e, sum, h, start);
+    packed = (red + red_slope * e) >> FC_TINT_BITS << 6;
+    packed = (packed | (green + green_slope * e) >> FC_TINT_BITS) << 5;
+    packed |= (blue + blue_slope * e) >> FC_TINT_BITS;
+    to[0] = (uint8_t)(packed >> 8);
+    to[1] = (uint8_t)packed;
   }
+}
+
+/* The same in any format. */
+static FC_COLD void shade_any(const ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to,
+                              uint8_t pixel_bytes) {
+  const uint32_t whole = (UINT32_C(1) << 24) - (uint32_t)light->h;
+  for (; bits != 0; bits >>= 1, to += pixel_bytes, p++)
+    if (bits & 1)
+      fc_tint_put_any(tint, cosine_of(*p > whole ? whole : *p, (uint32_t)light->sum, (uint32_t)light->h >> 9,
+                                      (uint32_t)light->h >> 8), to);
 }
 
 /* Lights the pixels of a row in `bits`, given p of each and in `e` a copy that is used up. */
@@ -367,7 +431,10 @@ static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row
   if (dark != 0) fc_scan_unlit(scan, row, column, dark);
   bits &= ~(dark | open);
   fc_scan_lit(scan, row, column, bits);
-  shade_row(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column), scan->pixel_bytes);
+  if (scan->tint.plain)
+    shade_plain(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column));
+  else
+    shade_any(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column), scan->pixel_bytes);
 }
 
 /* The same among occluders, who are asked about the points. */
@@ -428,17 +495,23 @@ static FC_NOINLINE uint32_t *inside_run(const sphere_forms *ball, sphere_row *at
   const uint64_t dxx = (uint64_t)ball->cone.dxx;
   uint32_t b = at->b;
   const uint32_t b_dx = ball->b_step;
-  const uint8_t lift = ball->lift;
+  /* f's high word in low .. low + span - 1: f 2^up is in 2^62 .. 2^64 - 1 */
+  uint32_t low = 0, span = 0, up = 0, down = 0;
   while (to != end) {
-    uint32_t high = (uint32_t)(f >> 32), m;
-    uint8_t k = ball->half_lift;
-    if (fc_to_i32(high) <= ball->inside) break;
-    m = (high << lift) | ((uint32_t)f >> (32 - lift));
-    while (m < UINT32_C(1) << 30) {
-      m <<= 2;
-      k++;
+    uint32_t high = (uint32_t)(f >> 32);
+    if (high - low >= span) {
+      if (fc_to_i32(high) <= ball->inside) break; /* at least 0 */
+      up = ball->lift; /* what the greatest f allows */
+      while (up < 30 && high < UINT32_C(1) << (30 - up)) up += 2;
+      down = ball->half_lift + (up - ball->lift) / 2;
+      low = UINT32_C(1) << (30 - up);
+      span = 3 * low;
+      if (fc_to_i32(low) <= ball->inside) {
+        span -= (uint32_t)ball->inside + 1 - low;
+        low = (uint32_t)ball->inside + 1;
+      }
     }
-    *to++ = b + (fc_sqrt_q32(m) >> k);
+    *to++ = b + (fc_sqrt_q32((high << up) | ((uint32_t)f >> (32 - up))) >> down);
     f += dx;
     dx += dxx;
     b += b_dx;
@@ -466,33 +539,74 @@ static FC_NOINLINE uint32_t *outside_run(const sphere_forms *ball, sphere_row *a
   return to;
 }
 
-/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. */
-static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t column, const uint32_t *p, const uint32_t *end,
-                                     uint32_t error, fc_coder *coder_of_tile) {
-  fc_coder coder = *coder_of_tile;
-  uint16_t *depth = fc_scan_depth(scan, row, column);
-  uint32_t bits = 0, bit = 1, add = coder.half + error, base = (uint32_t)coder.base, open = fc_coder_open(&coder, error);
-  for (; p != end; p++, depth++, bit <<= 1, column++) {
-    uint32_t v = *p, up, code;
-    if (v == 0) continue;
-    if (v < coder.low || v >> 1 >= coder.low) {
-      fc_coder_follow(&coder, scan->frame, v);
-      add = coder.half + error;
-      base = (uint32_t)coder.base;
-      open = fc_coder_open(&coder, error);
-    }
-    /* codes of 1 and below, beyond the format's range, are the ray engine's; base is negative there */
-    up = v + add;
-    code = (up >> coder.shift) + base;
-    if ((up & coder.low_bits) <= open || code == *depth || code - 2 > UINT16_MAX - 2) {
-      if (fc_scan_exact(scan, row, column)) bits |= bit;
-    } else if (code > *depth) {
+/* Depth codes of an octave, for test_octave. */
+typedef struct octave {
+  uint32_t low, span, add, base, low_bits, open; /* p in low .. low + span - 1 */
+  uint8_t shift;
+} octave;
+
+/* Depth tests from `p` on until one leaves the octave, or `end`: adds those shown, and in *open those that it can't tell. */
+static FC_NOINLINE const uint32_t *test_octave(const octave *of, const uint32_t *p, const uint32_t *end, uint16_t *depth,
+                                               uint32_t bit, uint32_t *shown, uint32_t *open) {
+  const uint32_t low = of->low, span = of->span, add = of->add, base = of->base, low_bits = of->low_bits, may = of->open;
+  const uint8_t shift = of->shift;
+  uint32_t bits = 0, undecided = 0;
+  do {
+    uint32_t v = *p, code, there;
+    if (v - low >= span) break;
+    v += add;
+    there = *depth;
+    code = (v >> shift) + base;
+    if ((v & low_bits) <= may || code == there) {
+      undecided |= bit;
+    } else if (code > there) {
       *depth = (uint16_t)code;
       bits |= bit;
     }
+    depth++;
+    bit <<= 1;
+  } while (++p != end);
+  *shown |= bits;
+  *open |= undecided;
+  return p;
+}
+
+/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. */
+static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t column, const uint32_t *first, const uint32_t *end,
+                                     uint32_t error, fc_coder *coder) {
+  uint16_t *depth = fc_scan_depth(scan, row, column);
+  const uint32_t *p = first;
+  uint32_t shown = 0, open = 0;
+  while (p != end) {
+    const uint32_t bit = UINT32_C(1) << (p - first);
+    const uint32_t *from = p;
+    octave of;
+    if (*p == 0) {
+      p++;
+      continue;
+    }
+    fc_coder_follow(coder, scan->frame, *p);
+    of.low = coder->low;
+    of.add = coder->half + error;
+    of.base = (uint32_t)coder->base;
+    of.low_bits = coder->low_bits;
+    of.open = fc_coder_open(coder, error);
+    of.shift = coder->shift;
+    /* codes of 1 and below, and beyond 16 bits, are out of the format's range: the ray engine's */
+    of.span = coder->base + (int32_t)(of.low >> of.shift) < 2 ? 0 : of.low;
+    if (coder->base > UINT16_MAX) {
+      of.span = 0;
+    } else if (coder->base + (int32_t)((2 * of.low - 1 + of.add) >> of.shift) > UINT16_MAX) {
+      uint32_t end_of_codes = (uint32_t)(UINT16_MAX + 1 - coder->base) << of.shift; /* within the octave: below 2^32 */
+      of.span = end_of_codes > of.low + of.add ? end_of_codes - of.low - of.add : 0;
+    }
+    p = test_octave(&of, p, end, depth + (p - first), bit, &shown, &open);
+    if (p == from) {
+      open |= bit;
+      p++;
+    }
   }
-  *coder_of_tile = coder;
-  return bits;
+  return open == 0 ? shown : shown | exact_run(scan, row, column, open);
 }
 
 /* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each, and in *exact those that
@@ -626,7 +740,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
     sphere_row at;
     uint64_t b; /* wraps past the tile */
     uint16_t column;
-    if (row < scan->first_row) continue;
+    if (row < scan->first_row || fc_scan_skips(scan, row)) continue;
     at.f = (uint64_t)ball.cone.f;
     at.dx = (uint64_t)ball.cone.dx;
     b = (uint64_t)ball.b;
@@ -860,9 +974,22 @@ static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *t
       sure = a > test->ahead.margin;
     }
     if (test->doubted && scan->x + column >= test->doubt.x0 && scan->x + column <= test->doubt.x1) sure = false;
-    if (sure || fc_scan_blocked(scan, row, column, test->kind, test->form)) dark |= bit;
+    if (!sure)
+      sure = fc_scan_guesses(scan) ? fc_to_i64(f) > 0 : fc_scan_blocked(scan, row, column, test->kind, test->form);
+    if (sure) dark |= bit;
   }
   return dark;
+}
+
+/* Whether f stays below `lit` all along a row. Seen as a parabola it does for certain where it opens downwards and its vertex,
+ * f + (dx - dxx / 2)^2 / (2 |dxx|), lies below: words of 31 bits, rounded to the safe side. */
+static bool row_is_clear(const fc_cone *cone, int64_t lit) {
+  uint32_t slope, bend, below;
+  if (cone->dxx >= 0 || cone->f >= lit) return false;
+  slope = (uint32_t)(fc_abs64(fc_to_i64((uint64_t)cone->dx - (uint64_t)fc_floor_shift64(cone->dxx, 1))) >> 32) + 1;
+  bend = (uint32_t)(fc_abs64(cone->dxx) >> 32);
+  below = (uint32_t)(((uint64_t)lit - (uint64_t)cone->f) >> 32);
+  return fc_mul32(slope, slope) >> 1 < fc_mul32(bend, below);
 }
 
 void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
@@ -899,7 +1026,7 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
     const uint64_t dxx = (uint64_t)cone.dxx;
     uint16_t column = 0;
     uint8_t word;
-    if (row < scan->first_row) continue;
+    if (row < scan->first_row || row_is_clear(&cone, clear.lit)) continue;
     clear.doubted = scan->y + row >= doubt.y0 && scan->y + row <= doubt.y1;
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;

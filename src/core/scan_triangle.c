@@ -302,7 +302,7 @@ static FC_NOINLINE void walk_rows(fc_brush *brush, uint16_t columns, uint16_t ro
   ends_start(&ends, facet->at, facet->dx, facet->dy, columns);
   for (row = 0; row < rows; row++, p += facet->py) {
     ends_find(&ends);
-    if (ends.from <= ends.to) {
+    if (ends.from <= ends.to && !fc_scan_skips(brush->scan, row)) {
       int32_t first = ends.from, last = ends.to;
       if (ends_open(&ends, facet->certain)) ask_ends(brush, &ends, facet->certain, row, &first, &last);
       if (first <= last) span(brush, row, (uint16_t)first, (uint16_t)last, p);
@@ -434,7 +434,9 @@ static FC_NOINLINE void cut_rows(fc_brush *brush, uint16_t columns, uint16_t row
     inner_first = first;
     inner_last = last;
     for (i = 0; i < 3; i++) fc_facet_cut(at[i], facet->dx[i], facet->certain, columns, &inner_first, &inner_last);
-    if (inner_first > inner_last) {
+    if (fc_scan_skips(brush->scan, row)) {
+      /* nothing */
+    } else if (inner_first > inner_last) {
       for (; first <= last; first++) ask(brush, row, (uint16_t)first);
     } else {
       for (; first < inner_first; first++) ask(brush, row, (uint16_t)first);
@@ -641,7 +643,8 @@ static FC_NOINLINE void draw_item(fc_brush *brush, const fc_placed_mesh *mesh, c
     seen.x0 = box.x0 > 0 ? box.x0 : 0;
     seen.x1 = box.x1 < frame->width - 1 ? box.x1 : frame->width - 1;
     if (seen.x0 > seen.x1) return;
-    if (box.x1 - box.x0 < FC_SMALL && box.y1 - box.y0 < FC_SMALL && (brush->plain || (seen.y0 ^ seen.y1) < FC_SCAN_ROWS) &&
+    /* small ones have no time to ask each row whether it is left out */
+    if (box.x1 - box.x0 < FC_SMALL && box.y1 - box.y0 < FC_SMALL && scan->skip == FC_SKIP_NONE && (brush->plain || (seen.y0 ^ seen.y1) < FC_SCAN_ROWS) &&
         draw_small(brush, mesh, &corners, &box, &seen))
       return;
     if (draw_projected(brush, mesh, &corners, &box, &seen)) return;
