@@ -3,7 +3,6 @@
 
 #include "bits.h"
 #include "num.h"
-#include "tally.h"
 
 FC_COLD void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
   uint8_t bits = frame->options.depth_exponent_bits;
@@ -23,33 +22,31 @@ FC_COLD void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
 }
 
 FC_COLD uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root) {
-  uint8_t e_bits = frame->depth_exponent_bits, m_bits = (uint8_t)(16 - e_bits), drop = (uint8_t)(62 - m_bits);
+  uint8_t e_bits = frame->depth_exponent_bits, m_bits = (uint8_t)(16 - e_bits);
   int32_t octaves = INT32_C(1) << e_bits, octave;
   fc_num z = fc_num_mul(fc_root_value(root), fc_num_from_u64((uint64_t)frame->view.focal, 0));
   fc_num v = fc_num_div(fc_num_from_u64(frame->depth_near, 0), z);
-  uint64_t fraction = v.m - (UINT64_C(1) << 62), rest, half = UINT64_C(1) << (drop - 1);
-  uint32_t code;
-  bool close;
+  uint32_t mantissa = (uint32_t)(v.m >> (62 - m_bits)), code; /* its highest bit included */
+  int64_t over = fc_to_i64((v.m << (m_bits + 2)) - (UINT64_C(1) << 63)); /* what the next step is near to, less its half */
+  int8_t up = fc_sign64(over);
   octave = v.e + 62 + octaves; /* 1/2 <= v < 1 is the highest, octaves - 1 */
   if (octave >= octaves) return UINT16_MAX;
   if (octave < 0) return 1;
-  code = ((uint32_t)octave << m_bits) | (uint32_t)(fraction >> drop);
-  rest = fraction & ((UINT64_C(1) << drop) - 1);
-  /* v is within 2^-57: less than 2^6 in its last places */
-  close = rest <= half + 256 && rest + 256 >= half;
-  FC_TALLY(FC_DECIDE_DEPTH, close);
-  if (!close) {
-    code += rest > half;
+  code = ((uint32_t)octave << m_bits) + mantissa - (UINT32_C(1) << m_bits);
+  /* v is within 2^-57, less than 2^22 of that. Where it is just off a step, either step is rounded to the same code. */
+  if (fc_abs64(over) >> 23 == 0) {
+    /* near / (t F) against (mantissa + 1/2) 2^(octave - octaves - m_bits), cleared of fractions: 32 + 29 bits against 18 + 30 */
+    const fc_quick no_value = {0, 0};
+    fc_wide w;
+    fc_wide_start(&w);
+    fc_wide_push64(&w, (int64_t)frame->depth_near << (octaves - octave + m_bits + 1));
+    fc_wide_push64(&w, -(int64_t)(2 * mantissa + 1) * frame->view.focal);
+    fc_wide_push64(&w, 0);
+    up = fc_root_sign(root, no_value, &w, FC_DECIDE_DEPTH);
   } else {
-    /* near / (t F) against (2^m_bits + mantissa + 1/2) 2^(octave - octaves - m_bits), cleared of fractions:
-     * 32 + 29 + 1 bits against 18 + 30 */
-    uint32_t mantissa = (uint32_t)(fraction >> drop) + (UINT32_C(1) << m_bits);
-    fc_wide a, b;
-    fc_wide_from_i64(&a, frame->depth_near);
-    fc_wide_shift_left(&a, &a, (uint16_t)(octaves - octave + m_bits + 1));
-    fc_wide_from_i64(&b, (int64_t)(2 * mantissa + 1) * frame->view.focal);
-    if (fc_root_compare_ratio(root, &a, &b) >= 0) code++;
+    FC_TALLY(FC_DECIDE_DEPTH, false);
   }
+  if (up >= 0) code++;
   if (code == 0) return 1;
   return code > UINT16_MAX ? UINT16_MAX : (uint16_t)code;
 }

@@ -107,34 +107,33 @@ static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_pre
   prepared->u.plane.normal[0] = n[0];
   prepared->u.plane.normal[1] = n[1];
   prepared->u.plane.normal[2] = n[2];
-  prepared->u.plane.side = form->u.plane.k - (n[0] * origin[0] + n[1] * origin[1] + n[2] * origin[2]);
+  prepared->u.plane.side = form->u.plane.k - fc_dot(n, origin);
 }
 
-static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
+static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root *root) {
   /* t = side / (normal . direction): 30 + 30 + 2 bits */
   const int64_t *n = prepared->u.plane.normal;
   int64_t side = prepared->u.plane.side;
-  int64_t along = n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2];
+  int64_t along = fc_dot(n, direction);
   if (fc_sign64(side) * fc_sign64(along) <= 0) return 0;
-  root[0].p = fc_i128_from_u64(fc_abs64(side));
-  root[0].m = fc_i128_from_u64(fc_abs64(along));
-  root[0].d = root[0].c = fc_i128_from(0);
-  root[0].q = 0;
+  root->p = fc_i128_from_u64(fc_abs64(side));
+  root->m = fc_i128_from_u64(fc_abs64(along));
+  root->d = root->c = fc_i128_from(0);
+  root->q = 0;
   return 1;
 }
 
-static FC_COLD int8_t side_of_light(const fc_form *form, const fc_segment *segment) {
-  return fc_i128_sign(fc_i128_sub(fc_i128_from(form->u.plane.k), fc_i128_dot(form->u.plane.normal, segment->light)));
+static FC_COLD int8_t side(const fc_form *form, const int64_t point[3]) {
+  return fc_i128_sign(fc_i128_sub(fc_i128_dot(form->u.plane.normal, point), fc_i128_from(form->u.plane.k)));
 }
 
 static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
-  int8_t light = side_of_light(form, segment);
-  if (light == 0) return false;
-  return fc_side_of_point(segment, form->u.plane.normal, fc_i128_from(form->u.plane.k)) == -light;
+  int8_t light = side(form, segment->light);
+  return light != 0 && fc_side_of_point(segment, form->u.plane.normal, fc_i128_from(form->u.plane.k)) == light;
 }
 
 static FC_COLD bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
-  return fc_sign64(prepared->u.plane.side) * side_of_light(form, segment) > 0;
+  return fc_sign64(prepared->u.plane.side) * side(form, segment->light) < 0;
 }
 
 static FC_COLD bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
@@ -143,10 +142,6 @@ static FC_COLD bool normal(const fc_form *form, const fc_prepared *prepared, con
   n[1] = form->u.plane.normal[1];
   n[2] = form->u.plane.normal[2];
   return prepared->u.plane.side > 0; /* k - n.O > 0: the origin is behind */
-}
-
-static FC_COLD void step_off(const fc_form *form, bool inside, int64_t point[3]) {
-  fc_step_off_plane(form->u.plane.normal, fc_i128_from(form->u.plane.k), inside, point);
 }
 
 static FC_COLD bool item_range(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far) {
@@ -158,13 +153,13 @@ static FC_COLD bool item_range(const fc_frame *frame, const fc_form *form, uint6
   uint8_t i, hits = 0;
   prepare(form, origin, &prepared);
   for (i = 0; i < 4; i++) {
-    fc_root root[2];
+    fc_root root;
     int64_t d[3];
     uint64_t z;
     fc_view_direction(frame, (i & 1) ? (uint16_t)(frame->width - 1) : 0,
                       (i & 2) ? (uint16_t)(frame->height - 1) : 0, d);
-    if (test(&prepared, d, root) == 0) continue;
-    z = fc_num_round(fc_num_mul(fc_root_value(&root[0]), fc_num_from_u64((uint64_t)d[2], 0)), 0);
+    if (test(&prepared, d, &root) == 0) continue;
+    z = fc_num_round(fc_num_mul(fc_root_value(&root), fc_num_from_u64((uint64_t)d[2], 0)), 0);
     if (hits == 0 || z < *near) *near = z;
     if (hits == 0 || z > *far) *far = z;
     hits++;
@@ -188,6 +183,6 @@ static FC_COLD void depth_range(const fc_frame *frame, const fc_group *group, ui
 
 const fc_kind fc_kind_plane FC_ROM = {
     check,    memory, extent,      place,            fetch,           prepare,       test,            blocked,        facing, normal,
-    step_off, NULL,   depth_range, fc_plane_project, fc_plane_window, fc_plane_draw, fc_plane_shadow, fc_plane_between,
+    side,     NULL,   depth_range, fc_plane_project, fc_plane_window, fc_plane_draw, fc_plane_shadow, fc_plane_between,
     fc_plane_hides,
     fc_scan_each, NULL, NULL};

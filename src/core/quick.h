@@ -78,6 +78,11 @@ static inline int64_t fc_smul64hi(int64_t a, int32_t b) {
   return fc_smul32(high, b) + fc_to_i32(p);
 }
 
+/* a n, modulo 2^64. */
+static inline uint64_t fc_times(uint64_t a, uint16_t n) {
+  return fc_mul32((uint32_t)a, n) + ((uint64_t)((uint32_t)(a >> 32) * n) << 32);
+}
+
 extern const uint16_t fc_rsqrt_table[192], fc_recip_table[128];
 
 static inline uint16_t fc_read_table(const uint16_t *entry) {

@@ -30,16 +30,14 @@ static int32_t coordinate_at(fc_num t, int64_t origin, int64_t direction) {
   return clamp(direction < 0 ? origin - reach : origin + reach);
 }
 
-/* The primitive's first root within t_min < t < t_max. */
-static bool first_within(const fc_root root[2], uint8_t count, uint64_t t_min_q32, uint64_t t_max_q32, fc_root *first) {
-  uint8_t i;
-  for (i = 0; i < count; i++) {
-    if (t_min_q32 != 0 && fc_root_compare_q32(&root[i], t_min_q32) <= 0) continue;
-    if (fc_root_compare_q32(&root[i], t_max_q32) >= 0) return false;
-    *first = root[i];
-    return true;
+/* Makes the root the primitive's first within t_min < t < t_max. */
+static FC_COLD bool first_within(fc_root *root, uint8_t count, uint64_t t_min_q32, uint64_t t_max_q32) {
+  if (t_min_q32 != 0 && fc_root_compare_q32(root, t_min_q32) <= 0) {
+    if (count < 2) return false;
+    root->q = 1;
+    if (fc_root_compare_q32(root, t_min_q32) <= 0) return false;
   }
-  return false;
+  return fc_root_compare_q32(root, t_max_q32) < 0;
 }
 
 /* The nearest primitive so far. */
@@ -57,14 +55,13 @@ static bool nearer(void *context, const fc_cursor *at, uint16_t index) {
   uint16_t primitive = (uint16_t)(at->group.first + index);
   fc_form form;
   fc_prepared prepared;
-  fc_root root[2], first;
+  fc_root first;
   uint8_t count;
   fc_kind_of(at)->fetch(&at->group, index, &form);
   fc_kind_of(at)->prepare(&form, test->origin, &prepared);
-  count = fc_kind_of(at)->test(&prepared, test->direction, root);
+  count = fc_kind_of(at)->test(&prepared, test->direction, &first);
   if (count == 0) return false;
-  first = root[0];
-  if (test->bounded && !first_within(root, count, test->t_min_q32, test->t_max_q32, &first)) return false;
+  if (test->bounded && !first_within(&first, count, test->t_min_q32, test->t_max_q32)) return false;
   if (test->found != NO_PRIMITIVE) {
     int8_t order = fc_root_compare(&first, &test->best);
     if (order > 0 || (order == 0 && primitive > test->found)) return false;
@@ -158,7 +155,7 @@ int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to
   segment.point_valid = true;
   segment.outside = false;
   segment.root = NULL;
-  segment.origin = segment.direction = NULL;
+  segment.direction = NULL;
   fc_segment_prepare(&segment);
   return fc_space_blocked(&space, &segment, NO_PRIMITIVE);
 }

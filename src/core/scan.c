@@ -15,12 +15,9 @@ static const int64_t eye[3] = {0, 0, 0}; /* camera space */
 
 /* Meets the primitive with the pixel's ray. */
 static bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_prepared *prepared, fc_root *root) {
-  fc_root roots[2];
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
   fc_kind_of(scan->at)->prepare(scan->form, eye, prepared);
-  if (fc_kind_of(scan->at)->test(prepared, d, roots) == 0) return false;
-  *root = roots[0];
-  return true;
+  return fc_kind_of(scan->at)->test(prepared, d, root) != 0;
 }
 
 bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
@@ -74,20 +71,9 @@ bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const f
   fc_surface surface;
   fc_segment segment;
   int64_t d[3];
-  uint8_t i;
   FC_TALLY(FC_DECIDE_LIT, true);
   surface_at(scan, row, column, d, &surface);
-  for (i = 0; i < 3; i++) {
-    segment.light[i] = scan->frame->lights[i];
-    segment.point[i] = surface.point[i];
-  }
-  segment.root = &surface.root;
-  segment.origin = eye;
-  segment.direction = d;
-  segment.point_error = 1;
-  segment.point_valid = surface.point_valid;
-  segment.outside = true;
-  fc_segment_prepare(&segment);
+  fc_surface_segment(&surface, scan->frame->lights, &segment);
   return kind->blocked(occluder, &segment);
 }
 
@@ -182,84 +168,113 @@ static FC_NOINLINE uint32_t affine_codes(const fc_scan *scan, uint16_t row, uint
   return bits;
 }
 
-static uint32_t affine_word(const fc_scan *scan, uint16_t row, uint16_t column, uint8_t count, uint64_t at, int64_t step,
-                            uint32_t error, const fc_coder *coder) {
+/* Depth codes of pixels in one octave, with 16 fraction bits, half and open / 2 added, and the step between them. */
+typedef struct affine_form {
+  uint32_t at, step, open;
+} affine_form;
+
+static void set_codes(affine_form *form, uint64_t at, int64_t step, uint16_t count, uint32_t error, const fc_coder *coder) {
   /* p / 2^shift in 2^-16; p has 32 fraction bits, of which shift + 16 are dropped */
   const uint8_t drop = (uint8_t)(16 + coder->shift);
-  uint32_t code = (uint32_t)(at >> drop) + ((uint32_t)coder->base << 16);
-  uint32_t pace = (uint32_t)(uint64_t)fc_floor_shift64(step + (INT64_C(1) << (drop - 1)), drop);
+  form->at = (uint32_t)(at >> drop) + ((uint32_t)coder->base << 16);
+  form->step = (uint32_t)(uint64_t)fc_floor_shift64(step + (INT64_C(1) << (drop - 1)), drop);
   /* twice: the error of p, a floor, and a half for each step's rounding */
-  uint32_t open = 2 * ((uint32_t)(((uint64_t)error << 16) >> coder->shift) + 2) + count;
-  code += 0x8000u + open / 2;
-  if (open > 0x8000u) open = 0xffffu; /* as fc_coder_open */
-  return affine_codes(scan, row, column, count, code, pace, open);
+  form->open = 2 * ((uint32_t)(((uint64_t)error << 16) >> coder->shift) + 2) + count;
+  form->at += 0x8000u + form->open / 2;
+  if (form->open > 0x8000u) form->open = 0xffffu; /* as fc_coder_open */
 }
 
-enum { RUN_HIDDEN, RUN_PLAIN, RUN_MIXED };
+/* Values of p that pixels of one kind have: hidden, missed or beyond the far limit for certain; or within it, in one octave below
+ * saturation. near / z is monotone along a row, so a run whose ends are of a kind is of that kind. */
+typedef struct affine_kind {
+  int32_t low, high;
+  bool hidden;
+} affine_kind;
 
-/* What a run of pixels is: near / z is monotone, so what holds at both ends holds in between. Hidden: missed, or beyond
- * the far limit; plain: within it, in one octave below saturation, to which the coder is set. */
-static int8_t affine_run(const fc_scan *scan, uint64_t at, int64_t step, uint8_t count, uint8_t gain, int32_t margin,
-                         bool clip, fc_coder *coder) {
-  int32_t a = fc_to_i32((uint32_t)(at >> 32)), b = fc_to_i32((uint32_t)((at + (uint64_t)step * (uint8_t)(count - 1)) >> 32));
-  int32_t low = a < b ? a : b, high = a < b ? b : a;
-  if (high < -margin) return RUN_HIDDEN;
-  if (clip) {
-    if (high < INT32_C(1) << (30 - gain) && (uint32_t)(high + margin) << gain < scan->frame->far_low) return RUN_HIDDEN;
-    if (!within_far(scan->frame, low, margin, gain)) return RUN_MIXED;
+/* The kind of a pixel with this p, to which the coder is set; false when it needs a look of its own. `hidden`: below it nothing
+ * shows, `sure`: from it on the far limit is out of play. */
+static bool kind_of(const fc_frame *frame, int32_t p, int32_t hidden, int32_t sure, fc_coder *coder, affine_kind *kind) {
+  uint32_t last;
+  kind->low = INT32_MIN;
+  kind->high = hidden - 1;
+  kind->hidden = true;
+  if (p < hidden) return true;
+  if (p < sure) return false;
+  fc_coder_follow(coder, frame, (uint32_t)p);
+  /* codes from 1 to 65533 */
+  if (coder->base < 1 || coder->base >= UINT16_MAX - 1) return false;
+  last = 2 * coder->low - 1;
+  if (coder->base + (int32_t)(last >> coder->shift) >= UINT16_MAX - 1)
+    last = ((uint32_t)(UINT16_MAX - 1 - coder->base) << coder->shift) - 1;
+  kind->low = (int32_t)coder->low > sure ? (int32_t)coder->low : sure;
+  kind->high = last > INT32_MAX ? INT32_MAX : (int32_t)last;
+  kind->hidden = false;
+  return p >= kind->low && p <= kind->high;
+}
+
+static bool of_kind(const affine_kind *kind, uint64_t at, int64_t step, uint16_t columns) {
+  int32_t p = fc_to_i32((uint32_t)((at + fc_times((uint64_t)step, columns)) >> 32));
+  return p >= kind->low && p <= kind->high;
+}
+
+/* The row's pixels from `column` on, by words. */
+static void affine_plain(fc_scan *scan, uint16_t row, uint16_t column, uint16_t count, affine_form *form) {
+  uint32_t *mask = scan->mask + row * scan->words + (column >> 5);
+  while (count != 0) {
+    uint8_t some = (uint8_t)(32 - (column & 31));
+    if (some > count) some = (uint8_t)count;
+    *mask++ |= affine_codes(scan, row, column, some, form->at, form->step, form->open) << (column & 31);
+    form->at += form->step * some;
+    column = (uint16_t)(column + some);
+    count = (uint16_t)(count - some);
   }
-  if (low <= margin) return RUN_MIXED;
-  fc_coder_follow(coder, scan->frame, (uint32_t)high);
-  return (uint32_t)low >= coder->low && coder->base >= 1 &&
-                 coder->base + (int32_t)((uint32_t)high >> coder->shift) < UINT16_MAX - 1
-             ? RUN_PLAIN
-             : RUN_MIXED;
 }
 
 void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, int64_t value, int64_t step,
                     uint8_t gain, uint32_t error) {
-  uint32_t *mask = scan->mask + row * scan->words + (first >> 5);
-  int32_t begin = fc_high_word(value), end = fc_high_word(value + step * (last - first)), margin = (int32_t)error;
-  int32_t low = begin < end ? begin : end, high = begin < end ? end : begin;
-  const int32_t limit = INT32_C(1) << (30 - gain);
+  const fc_frame *frame = scan->frame;
+  const int32_t margin = (int32_t)error;
+  int32_t hidden = -margin, sure = margin + 1;
   fc_coder coder;
-  bool clip = scan->clip_far;
   uint64_t at = (uint64_t)value;
   uint16_t column = first;
-  if (high < -margin) return;
-  if (clip) {
-    if (high < limit && (uint32_t)(high + margin) << gain < scan->frame->far_low) return;
-    if (within_far(scan->frame, low, margin, gain)) clip = false;
+  if (scan->clip_far) {
+    /* p + margin times 2^gain below far_low; p - margin above far_high, or never */
+    int32_t beyond = (int32_t)(frame->far_low >> gain) - margin, within = INT32_MAX;
+    if (frame->far_high >> 30 == 0) within = (int32_t)(frame->far_high >> gain) + margin + 1;
+    if (beyond > hidden) hidden = beyond;
+    if (within > sure) sure = within;
   }
-  fc_coder_start(&coder, scan->frame, (int16_t)-gain, high > 0 ? (uint32_t)high : 1);
+  fc_coder_start(&coder, frame, (int16_t)-gain, UINT32_C(1) << 29);
   while (column <= last) {
-    uint8_t count = (uint8_t)(32 - (column & 31)), done = 0;
-    uint32_t bits = 0, bit = UINT32_C(1) << (column & 31);
-    if (count > last - column + 1) count = (uint8_t)(last - column + 1);
-    /* a word, or where an octave or the far limit cuts it, eight pixels at a time, or one */
-    while (done < count) {
-      uint8_t chunk = (uint8_t)(count - done);
-      int8_t how = affine_run(scan, at, step, chunk, gain, margin, clip, &coder);
-      if (how == RUN_MIXED && chunk > 8) {
-        chunk = 8;
-        how = affine_run(scan, at, step, chunk, gain, margin, clip, &coder);
+    uint16_t count = (uint16_t)(last - column), part = 256; /* and one */
+    affine_kind kind;
+    bool known = kind_of(frame, fc_high_word(fc_to_i64(at)), hidden, sure, &coder, &kind);
+    if (count > 511) count = 511;
+    if (!known) {
+      uint16_t i;
+      if (count > 7) count = 7;
+      for (i = 0; i <= count; i++, at += (uint64_t)step) {
+        uint16_t x = (uint16_t)(column + i);
+        if (affine_pixel(scan, row, x, fc_high_word(fc_to_i64(at)), gain, error, scan->clip_far, &coder))
+          scan->mask[row * scan->words + x / 32] |= UINT32_C(1) << (x % 32);
       }
-      if (how == RUN_PLAIN) {
-        bits |= affine_word(scan, row, (uint16_t)(column + done), chunk, at, step, error, &coder) * bit;
-        at += (uint64_t)step * chunk;
-      } else if (how == RUN_MIXED) {
-        uint8_t i;
-        for (i = 0; i < chunk; i++, at += (uint64_t)step)
-          if (affine_pixel(scan, row, (uint16_t)(column + done + i), fc_high_word(fc_to_i64(at)), gain, error, clip, &coder))
-            bits |= bit << i;
-      } else {
-        at += (uint64_t)step * chunk;
-      }
-      bit = chunk == 32 ? 0 : bit << chunk;
-      done = (uint8_t)(done + chunk);
+      column = (uint16_t)(column + count + 1);
+      continue;
     }
+    if (!of_kind(&kind, at, step, count)) {
+      uint16_t whole = count;
+      for (count = 0; part != 0; part /= 2)
+        if (count + part < whole && of_kind(&kind, at, step, (uint16_t)(count + part))) count = (uint16_t)(count + part);
+    }
+    count++;
+    if (!kind.hidden) {
+      affine_form form;
+      set_codes(&form, at, step, count, error, &coder);
+      affine_plain(scan, row, column, count, &form);
+    }
+    at += fc_times((uint64_t)step, count);
     column = (uint16_t)(column + count);
-    *mask++ |= bits;
   }
 }
 

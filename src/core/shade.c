@@ -9,7 +9,17 @@ FC_COLD void fc_surface_offset(const fc_surface *surface, int rule, int64_t epsi
   uint8_t i;
   for (i = 0; i < 3; i++) point[i] = surface->point[i];
   if (rule == FC_OFFSET_RESIDUAL) {
-    fc_kind_of(&surface->at)->step_off(&surface->form, surface->inside, point);
+    /* Off by 1 unit an axis, a point crosses a surface within a few steps along the normal's dominant axis: on planes the residual is at
+     * most |n|_1 <= 3 |n|_max, so 4 do. */
+    const int64_t *n = surface->normal;
+    uint8_t axis = 0;
+    for (i = 1; i < 3; i++)
+      if (fc_abs64(n[i]) > fc_abs64(n[axis])) axis = i;
+    for (i = 0; i < 8; i++) {
+      int8_t side = fc_kind_of(&surface->at)->side(&surface->form, point);
+      if (surface->inside ? side < 0 : side > 0) break;
+      point[axis] += (n[axis] < 0) != surface->inside ? -1 : 1;
+    }
   } else if (rule == FC_OFFSET_EPSILON) {
     const int64_t *n = surface->normal;
     fc_num length = fc_length(n);
@@ -53,36 +63,32 @@ static FC_COLD uint32_t irradiance_q24(const fc_frame *frame, const fc_surface *
   return q > UINT32_MAX ? UINT32_MAX : (uint32_t)q;
 }
 
-static FC_COLD bool reached(const fc_frame *frame, const fc_space *space, const fc_surface *surface, fc_segment *segment) {
+FC_COLD void fc_surface_segment(const fc_surface *surface, const int64_t light[3], fc_segment *segment) {
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    segment->light[i] = light[i];
+    segment->point[i] = surface->point[i];
+  }
   segment->root = &surface->root;
-  segment->origin = surface->origin;
   segment->direction = surface->direction;
   segment->point_error = 1;
   segment->point_valid = surface->point_valid;
-  segment->point[0] = surface->point[0];
-  segment->point[1] = surface->point[1];
-  segment->point[2] = surface->point[2];
-  if (!fc_kind_of(&surface->at)->facing(&surface->form, &surface->prepared, segment)) return false;
-  if (frame->options.offset_rule == FC_OFFSET_EXACT) {
-    segment->outside = true;
-    fc_segment_prepare(segment);
-    return !fc_space_blocked(space, segment, surface->primitive);
-  }
-  segment->root = NULL;
-  segment->outside = false; /* rounded, it may have slipped through */
-  segment->point_error = 0;
-  segment->point_valid = true;
-  fc_surface_offset(surface, frame->options.offset_rule, frame->epsilon_grid, segment->point);
+  segment->outside = true;
   fc_segment_prepare(segment);
-  return !fc_space_blocked(space, segment, FC_PRIMITIVES_MAX);
 }
 
 FC_COLD bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const int64_t position[3]) {
   fc_segment segment;
-  segment.light[0] = position[0];
-  segment.light[1] = position[1];
-  segment.light[2] = position[2];
-  return reached(frame, space, surface, &segment);
+  fc_surface_segment(surface, position, &segment);
+  if (!fc_kind_of(&surface->at)->facing(&surface->form, &surface->prepared, &segment)) return false;
+  if (frame->options.offset_rule == FC_OFFSET_EXACT) return !fc_space_blocked(space, &segment, surface->primitive);
+  segment.root = NULL;
+  segment.outside = false; /* rounded, it may have slipped through */
+  segment.point_error = 0;
+  segment.point_valid = true;
+  fc_surface_offset(surface, frame->options.offset_rule, frame->epsilon_grid, segment.point);
+  fc_segment_prepare(&segment);
+  return !fc_space_blocked(space, &segment, FC_PRIMITIVES_MAX);
 }
 
 FC_COLD void fc_shade(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const uint8_t most[3],

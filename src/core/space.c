@@ -138,7 +138,6 @@ bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t
 
 bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primitive, const int64_t origin[3],
                      const int64_t direction[3]) {
-  fc_root root[2];
   uint16_t index;
   if (!fc_cursor_find(&surface->at, space, primitive, &index)) return false;
   surface->primitive = primitive;
@@ -146,9 +145,7 @@ bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primit
   surface->direction = direction;
   fc_kind_of(&surface->at)->fetch(&surface->at.group, index, &surface->form);
   fc_kind_of(&surface->at)->prepare(&surface->form, origin, &surface->prepared);
-  if (fc_kind_of(&surface->at)->test(&surface->prepared, direction, root) == 0) return false;
-  surface->root = root[0];
-  return true;
+  return fc_kind_of(&surface->at)->test(&surface->prepared, direction, &surface->root) != 0;
 }
 
 void fc_surface_complete(fc_surface *surface) {

@@ -127,7 +127,6 @@ static void test_g2_fallbacks_agree_with_filters(void) {
     }
     segment.outside = false;
     segment.root = &root[0];
-    segment.origin = eye;
     segment.direction = d;
     segment.point_error = 1;
     segment.point_valid = fc_point_at(fc_root_value(&root[0]), eye, d, segment.point);
@@ -226,7 +225,6 @@ static void test_g9_a_sphere_does_not_shadow_itself(void) {
     for (i = 0; i < 3; i++) segment.light[i] = random_any_size(30);
     segment.outside = false;
     segment.root = &root[0];
-    segment.origin = eye;
     segment.direction = d;
     segment.point_error = 1;
     segment.point_valid = fc_point_at(fc_root_value(&root[0]), eye, d, segment.point);
