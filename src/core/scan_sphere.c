@@ -475,19 +475,53 @@ static uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t
   return open;
 }
 
-/* The pixels among `bits` that the ray engine shows. */
-static uint32_t exact_run(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
-  uint32_t shown = 0, bit = 1;
-  for (; bits != 0; bits >>= 1, bit <<= 1, column++)
-    if ((bits & 1) && fc_scan_exact(scan, row, column)) shown |= bit;
-  return shown;
-}
-
 /* Where the forms stand in a row. */
 typedef struct sphere_row {
   uint64_t f, dx;
-  uint32_t b;
+  uint64_t b_start; /* at the first pixel of a word */
+  uint32_t b;       /* with the word's steps rounded */
 } sphere_row;
+
+/*
+ * The pixels among `bits` of a word, whose forms stand in *at, that show the sphere, where 32 bits could not tell: by all bits of the
+ * forms, and where these leave it open by the ray engine. *rough: those of them that have no p.
+ */
+static FC_COLD uint32_t settle(const fc_scan *scan, const sphere_forms *ball, const sphere_row *at, fc_coder *coder, uint16_t row,
+                               uint16_t column, uint32_t bits, uint32_t *ps, uint32_t *rough) {
+  uint32_t shown = 0, bit = 1;
+  uint8_t n;
+  for (n = 0; bits != 0; n++, bits >>= 1, bit <<= 1) {
+    uint64_t f;
+    uint16_t *depth = fc_scan_depth(scan, row, (uint16_t)(column + n));
+    int32_t code = -1;
+    bool good = false;
+    if (!(bits & 1)) continue;
+    f = at->f + fc_times(at->dx, n);
+    if (n > 1) f += fc_times((uint64_t)ball->cone.dxx, (uint16_t)(n * (n - 1) / 2));
+    if (fc_to_i64(f) > ball->cone.error && !ball->clip) {
+      /* sqrt(f) is off by e / (2 sqrt(f)) at most; floors of the root and of b, and the factors' cuts, 4 (set_ball) */
+      uint32_t root = fc_sqrt64(f << ball->lift), p, error;
+      uint64_t loss = ((uint64_t)ball->cone.error << (ball->lift - ball->half_lift)) >> (31 - fc_clz32(root)); /* 34 + 30 bits */
+      p = (uint32_t)((at->b_start + fc_times((uint64_t)ball->b_dx, n)) >> 32) + (root >> ball->half_lift);
+      if (loss < UINT32_C(1) << 24 && p != 0) {
+        error = (uint32_t)loss + 8;
+        fc_coder_follow(coder, scan->frame, p);
+        code = fc_coder_code(coder, p, error);
+        good = error <= ball->error;
+        ps[n] = p;
+      }
+    }
+    if (code >= 0 && code != *depth) {
+      if (code < *depth) continue;
+      *depth = (uint16_t)code;
+    } else if (!fc_scan_exact(scan, row, (uint16_t)(column + n))) {
+      continue;
+    }
+    shown |= bit;
+    if (!good) *rough |= bit;
+  }
+  return shown;
+}
 
 /* p of the pixels from here on until one is not surely inside, or `end`; returns where that is. */
 static FC_NOINLINE uint32_t *inside_run(const sphere_forms *ball, sphere_row *at, uint32_t *to, const uint32_t *end) {
@@ -571,9 +605,9 @@ static FC_NOINLINE const uint32_t *test_octave(const octave *of, const uint32_t 
   return p;
 }
 
-/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. */
+/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. Returns those shown. */
 static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t column, const uint32_t *first, const uint32_t *end,
-                                     uint32_t error, fc_coder *coder) {
+                                     uint32_t error, fc_coder *coder, uint32_t *undecided) {
   uint16_t *depth = fc_scan_depth(scan, row, column);
   const uint32_t *p = first;
   uint32_t shown = 0, open = 0;
@@ -606,14 +640,17 @@ static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t
       p++;
     }
   }
-  return open == 0 ? shown : shown | exact_run(scan, row, column, open);
+  *undecided = open;
+  return shown;
 }
 
-/* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each, and in *exact those that
- * the ray engine alone has seen and that have no p. */
+/* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each, and in *rough those that show it
+ * and have no p. */
 static FC_NOINLINE uint32_t draw_word(const fc_scan *scan, const sphere_forms *ball, sphere_row *at, fc_coder *coder, uint16_t row,
-                                      uint16_t column, uint8_t count, uint32_t *ps, uint32_t *exact_bits) {
-  uint32_t *p = ps, *end = ps + count, *first = NULL, *last = ps, exact = 0;
+                                      uint16_t column, uint8_t count, uint32_t *ps, uint32_t *rough) {
+  uint32_t *p = ps, *end = ps + count, *first = NULL, *last = ps, open = 0, shown = 0;
+  const sphere_row start = *at;
+  *rough = 0;
   while (p != end) {
     int32_t high = fc_to_i32((uint32_t)(at->f >> 32));
     if (high > ball->inside) {
@@ -621,16 +658,22 @@ static FC_NOINLINE uint32_t draw_word(const fc_scan *scan, const sphere_forms *b
       p = inside_run(ball, at, p, end);
       if (first == NULL) first = from;
       last = p;
-      if (ball->clip) exact |= clip_run(scan, ball, row, column, ps, from, p);
+      if (ball->clip) open |= clip_run(scan, ball, row, column, ps, from, p);
       continue;
     }
-    if (high >= ball->outside) exact |= UINT32_C(1) << (p - ps);
+    if (high >= ball->outside) open |= UINT32_C(1) << (p - ps);
     p = outside_run(ball, at, p, end);
   }
-  if (exact != 0) exact = exact_run(scan, row, column, exact);
-  *exact_bits = exact;
-  if (first == NULL) return 0;
-  return test_run(scan, row, (uint16_t)(column + (first - ps)), first, last, ball->error, coder) << (first - ps);
+  if (first != NULL) {
+    uint32_t undecided;
+    shown = test_run(scan, row, (uint16_t)(column + (first - ps)), first, last, ball->error, coder, &undecided) << (first - ps);
+    open |= undecided << (first - ps);
+  }
+  if (open != 0) {
+    shown |= settle(scan, ball, &start, coder, row, column, open, ps, rough);
+    shown &= ~*rough;
+  }
+  return shown;
 }
 
 /* 2 floor(a b / 2^32) */
@@ -748,6 +791,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
       uint32_t ps[32], bits, exact;
       uint8_t count = scan->columns - column < 32 ? (uint8_t)(scan->columns - column) : 32;
       at.b = (uint32_t)((b + (UINT32_C(1) << 31)) >> 32);
+      at.b_start = b;
       b += (uint64_t)ball.b_dx << 5;
       bits = draw_word(scan, &ball, &at, &coder, row, column, count, ps, &exact);
       if ((bits | exact) == 0 || !fc_scan_wants_light(scan, row, column, bits | exact)) continue;
