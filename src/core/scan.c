@@ -176,10 +176,15 @@ typedef struct affine_form {
 static void set_codes(affine_form *form, uint64_t at, int64_t step, uint16_t count, uint32_t error, const fc_coder *coder) {
   /* p / 2^shift in 2^-16; p has 32 fraction bits, of which shift + 16 are dropped */
   const uint8_t drop = (uint8_t)(16 + coder->shift);
+  int64_t rounded;
+  uint32_t rest;
   form->at = (uint32_t)(at >> drop) + ((uint32_t)coder->base << 16);
-  form->step = (uint32_t)(uint64_t)fc_floor_shift64(step + (INT64_C(1) << (drop - 1)), drop);
-  /* twice: the error of p, a floor, and a half for each step's rounding */
-  form->open = 2 * ((uint32_t)(((uint64_t)error << 16) >> coder->shift) + 2) + count;
+  rounded = fc_floor_shift64(step + (INT64_C(1) << (drop - 1)), drop);
+  form->step = (uint32_t)(uint64_t)rounded;
+  /* what rounding takes from a step, at most half: 2^-8 of a unit, floored */
+  rest = (uint32_t)(fc_abs64(fc_to_i64((uint64_t)step - ((uint64_t)rounded << drop))) >> (drop - 8));
+  /* twice: the error of p, a floor, and the steps' */
+  form->open = 2 * ((uint32_t)(((uint64_t)error << 16) >> coder->shift) + 2) + ((rest + 1) * count >> 7) + 1;
   form->at += 0x8000u + form->open / 2;
   if (form->open > 0x8000u) form->open = 0xffffu; /* as fc_coder_open */
 }

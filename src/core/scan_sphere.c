@@ -8,14 +8,14 @@
 
 static uint16_t clamp_pixel(int32_t v, uint16_t size) { return v < 0 ? 0 : v >= size ? (uint16_t)(size - 1) : (uint16_t)v; }
 
-static void set_window(const fc_frame *frame, const fc_window *box, fc_placed_window *window) {
+static FC_COLD void set_window(const fc_frame *frame, const fc_window *box, fc_placed_window *window) {
   window->x0 = clamp_pixel(box->x0, frame->width);
   window->x1 = clamp_pixel(box->x1, frame->width);
   window->y0 = clamp_pixel(box->y0, frame->height);
   window->y1 = clamp_pixel(box->y1, frame->height);
 }
 
-void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
+FC_COLD void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
   fc_placed_sphere *placed = memory;
   int64_t limit = (int64_t)fc_num_round(fc_num_from_u64((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame)), 0);
   uint16_t i;
@@ -110,7 +110,7 @@ static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
   return false;
 }
 
-static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
+static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_reach reach;
   occluder_list list;
@@ -126,7 +126,7 @@ static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
 }
 
 /* p: near / z = p / 2^(30 + drop), off by at most `error`. */
-static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop, uint32_t error) {
+static FC_COLD uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop, uint32_t error) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, l[3], at, most, center_light;
   int32_t s0;
@@ -190,7 +190,7 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
 }
 
 /* The point that a pixel with this p shows: t D with t = near 2^(30 + drop) / (p F); returns a bound of its error an axis. */
-static uint32_t point_at(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p,
+static FC_COLD uint32_t point_at(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p,
                          int32_t point[3]) {
   fc_quick t = fc_quick_mul(fc_quick_recip(fc_quick_from(p, 0)), light->depth);
   int64_t d[3];
@@ -224,7 +224,7 @@ static bool hides_pixel(void *context, const fc_cursor *at, uint16_t index) {
   return hides > 0 || (hides < 0 && fc_scan_blocked(q->scan, q->row, q->column, kind, &form));
 }
 
-static FC_NOINLINE bool occluded_by_any(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
+static FC_COLD bool occluded_by_any(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
   fc_space space = fc_space_of_frame(scan->frame);
   pixel_question question;
   fc_reach reach;
@@ -244,7 +244,7 @@ static FC_NOINLINE bool occluded_by_any(const fc_scan *scan, const ball_light *l
 }
 
 /* Whether an occluder in the list keeps the light away from the pixel with this p. */
-static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
+static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_cursor cursor;
   int32_t point[3];
@@ -290,7 +290,7 @@ static inline int32_t over(int32_t v, uint32_t p, uint8_t cut) {
 }
 
 /* s - h of a pixel, refined. */
-static FC_NOINLINE int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
+static FC_COLD int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
   uint32_t r = fc_recip_q31(p >> (octave - 15));
   int32_t s = over(along, p, (uint8_t)(octave - 15));
   /* times 1 + rest with rest = 1 - x r, below 2^-13 */
@@ -438,7 +438,7 @@ static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row
 }
 
 /* The same among occluders, who are asked about the points. */
-static FC_NOINLINE void light_row_among(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column,
+static FC_COLD void light_row_among(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column,
                                         uint32_t bits, const uint32_t *p) {
   uint32_t e[32], rest;
   uint8_t i;
@@ -462,7 +462,7 @@ typedef struct sphere_forms {
 } sphere_forms;
 
 /* Takes pixels beyond the far limit out of a run; returns those that it may cut. */
-static uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t row, uint16_t column, const uint32_t *ps,
+static FC_COLD uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t row, uint16_t column, const uint32_t *ps,
                          uint32_t *p, const uint32_t *end) {
   uint32_t open = 0;
   for (; p != end; p++) {
@@ -677,10 +677,10 @@ static FC_NOINLINE uint32_t draw_word(const fc_scan *scan, const sphere_forms *b
 }
 
 /* 2 floor(a b / 2^32) */
-static int64_t scaled(int64_t a, int32_t b) { return 2 * fc_smul64hi(a, b); }
+static FC_COLD int64_t scaled(int64_t a, int32_t b) { return 2 * fc_smul64hi(a, b); }
 
 /* Multiplies b and sqrt(f) by factor / 2^32, so that their sum is p. */
-static void fold(sphere_forms *ball, uint32_t factor, int64_t *b_dy, int64_t steps) {
+static FC_COLD void fold(sphere_forms *ball, uint32_t factor, int64_t *b_dy, int64_t steps) {
   const int32_t once = (int32_t)(factor >> 1), twice = (int32_t)(fc_mulhi32(factor, factor) >> 1);
   ball->b = scaled(ball->b, once);
   ball->b_dx = scaled(ball->b_dx, once);
@@ -695,7 +695,7 @@ static void fold(sphere_forms *ball, uint32_t factor, int64_t *b_dy, int64_t ste
   ball->cone.error += 4 * steps * steps;
 }
 
-static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere_forms *ball, int64_t *b_dy) {
+static FC_COLD void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere_forms *ball, int64_t *b_dy) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, unit;
   fc_sheaf sheaf;
@@ -812,7 +812,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   }
 }
 
-void fc_sphere_draw(fc_scan *scan) {
+FC_COLD void fc_sphere_draw(fc_scan *scan) {
   const fc_placed_sphere *placed = (const fc_placed_sphere *)scan->at->group.memory + scan->index;
   uint16_t row;
   uint8_t word;
@@ -832,7 +832,7 @@ void fc_sphere_draw(fc_scan *scan) {
 
 /* ---- shadows ---- */
 
-bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
+FC_COLD bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window) {
   /* The hull of light and ball lies in a capsule and in a cone: the sphere misses it if it is clear of either. In units that
    * make everything 15 bits, with some units of slack for the cuts. a: to the sphere, b: to the ball. */
@@ -884,7 +884,7 @@ bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t
  * distances compare for certain beyond `slack`. With both ends clearly outside, the segment is blocked iff its inner points
  * come within the radius.
  */
-static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+static FC_COLD int8_t glance(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
   int64_t a[3], b[3], ab = 0, apart, out, in;
   uint32_t aa = 0, bb = 0; /* below 3 * 2^30 */
   uint64_t across, square, most = (uint64_t)form->u.sphere.radius;
@@ -916,7 +916,7 @@ static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], co
   return across < square ? 1 : -1;
 }
 
-int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
   /* Light outside. With w = P - L, c = C - L and q = |c|^2 - r^2 > 0 the line meets the sphere iff (w.c)^2 >= w.w q and w.c > 0,
    * and it does so before P iff its foot does, w.c < w.w, or P is inside, w.w - 2 w.c + q < 0. Vectors are cut to 29 bits
    * and sums of three products by 2^30 more, to 30. */
@@ -974,12 +974,12 @@ typedef struct ahead_form {
   int64_t at, dx, dy, margin;
 } ahead_form;
 
-static int64_t along_center(const int64_t center[3], const int32_t w[3]) {
+static FC_COLD int64_t along_center(const int64_t center[3], const int32_t w[3]) {
   return fc_smul64hi(center[0], w[0]) + fc_smul64hi(center[1], w[1]) + fc_smul64hi(center[2], w[2]);
 }
 
 /* 1: everywhere, -1: nowhere, 0: here and there. */
-static int8_t set_ahead(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], ahead_form *a) {
+static FC_COLD int8_t set_ahead(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], ahead_form *a) {
   /* 31 + 30 bits, less 32; floors and W's error: 3 (1 + columns + rows) + |C - L|_1 error / 2^32 */
   int64_t x, y, low, high;
   a->at = along_center(center, receiver->w.at);
@@ -1006,7 +1006,7 @@ typedef struct shadow_test {
 } shadow_test;
 
 /* Up to 8 pixels: those in the dark. */
-static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column,
+static FC_COLD uint32_t shade_some(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column,
                                        uint32_t bits, uint64_t f, uint64_t dx, uint64_t dxx) {
   uint32_t dark = 0, bit = 1;
   for (; bits != 0; bits >>= 1, bit <<= 1, column++, f += dx, dx += dxx) {
