@@ -355,7 +355,7 @@ static uint8_t chord_of(uint32_t least, uint32_t ddq) {
 
 static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
   /* chords twice as long are off four times as far: 2^-6 of a cosine, four levels in 255 */
-  const uint8_t fast = fc_scan_guesses(scan), beyond = fast ? 14 : 6;
+  const uint8_t fast = fc_scan_guesses(scan);
   uint16_t row;
   uint8_t word;
   for (row = scan->first_row; row <= scan->last_row; row++) {
@@ -377,11 +377,11 @@ static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g
         while (bits >> count != 0) count++;
       }
       /* q is within 2^14, which costs the cosine 2^-11 of itself from 2^24 on; where the forms were just set up it is within
-       * 2^10, and 2^20 is enough. A chord's end may lie 7 columns further, or 15. */
-      if (at == next && word % 4 != 0) least = least_square(&forms, (uint8_t)(count + beyond));
+       * 2^10, and 2^20 is enough. A chord's end may lie 15 columns further. */
+      if (at == next && word % 4 != 0) least = least_square(&forms, (uint8_t)(count + 14));
       if (at != next || word % 4 == 0 || least < UINT32_C(1) << 24) {
         start_row(planar, g, row, at, &forms);
-        least = least_square(&forms, (uint8_t)(count + beyond));
+        least = least_square(&forms, (uint8_t)(count + 14));
       }
       if (least < UINT32_C(1) << 20) {
         fc_scan_shade_slowly(scan, row, at, bits);
