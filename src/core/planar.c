@@ -125,6 +125,30 @@ FC_COLD bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver
   return true;
 }
 
+/* Where the ray through a pixel of the tile meets the plane (its normal is not cut); false when it doesn't, or too far away. */
+static bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
+  static const int64_t eye[3] = {0, 0, 0};
+  int64_t d[3], nd;
+  fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
+  fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
+  nd = fc_small_dot(planar->normal, d);
+  return nd > 0 && fc_point_at(fc_num_div(k, fc_num_from_u64((uint64_t)nd, 0)), eye, d, point);
+}
+
+FC_COLD bool fc_planar_blocked(const fc_scan *scan, const fc_planar *receiver, uint16_t row, uint16_t column, const fc_kind *kind,
+                               const fc_form *occluder) {
+  int64_t wide[3];
+  if (kind->hides != NULL && receiver->slack == 0 && foot(scan, receiver, row, column, wide) && fc_vector_bits(wide) <= 30) {
+    int32_t point[3];
+    int8_t hides;
+    uint8_t i;
+    for (i = 0; i < 3; i++) point[i] = (int32_t)wide[i];
+    hides = kind->hides(occluder, scan->frame->lights, point, 1);
+    if (hides >= 0) return hides > 0;
+  }
+  return fc_scan_blocked(scan, row, column, kind, occluder);
+}
+
 FC_COLD void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder) {
   uint16_t row, column;
   for (row = scan->first_row; row <= scan->last_row; row++)
@@ -147,16 +171,6 @@ static FC_COLD bool cast_one(void *context, const fc_cursor *at, uint16_t index)
   fc_kind_of(at)->fetch(&at->group, index, &form);
   fc_kind_of(at)->shadow(c->scan, c->planar, fc_kind_of(at), &form);
   return false;
-}
-
-/* Where the ray through a pixel of the tile meets the plane (its normal is not cut); false when it doesn't, or too far away. */
-static bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
-  static const int64_t eye[3] = {0, 0, 0};
-  int64_t d[3], nd;
-  fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
-  fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
-  nd = fc_small_dot(planar->normal, d);
-  return nd > 0 && fc_point_at(fc_num_div(k, fc_num_from_u64((uint64_t)nd, 0)), eye, d, point);
 }
 
 /* First and last pixel of a row's mask; false when it is empty. */
