@@ -584,15 +584,22 @@ static FC_NOINLINE uint32_t *inside_run(const sphere_forms *ball, sphere_row *at
   uint32_t b = at->b;
   const uint32_t b_dx = ball->b_step;
   /* f's high word in low .. low + span - 1: f 2^up is in 2^62 .. 2^64 - 1 */
-  uint32_t low = 0, span = 0, up = 0, down = 0;
+  uint32_t low = UINT32_C(1) << (30 - ball->lift), span = 0, up = ball->lift, down = ball->half_lift; /* for the greatest f */
   while (to != end) {
     uint32_t high = (uint32_t)(f >> 32);
     if (high - low >= span) {
       if (fc_to_i32(high) <= ball->inside) break; /* at least 0 */
-      up = ball->lift; /* what the greatest f allows */
-      while (up < 30 && high < UINT32_C(1) << (30 - up)) up += 2;
-      down = ball->half_lift + (up - ball->lift) / 2;
       low = UINT32_C(1) << (30 - up);
+      while (high < low && up < 30) {
+        low >>= 2;
+        up += 2;
+        down++;
+      }
+      while (high >> 2 >= low && up > ball->lift) {
+        low <<= 2;
+        up -= 2;
+        down--;
+      }
       span = 3 * low;
       if (fc_to_i32(low) <= ball->inside) {
         span -= (uint32_t)ball->inside + 1 - low;
