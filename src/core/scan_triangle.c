@@ -618,14 +618,16 @@ static FC_NOINLINE void draw_exactly(fc_brush *brush, const fc_tile *seen) {
 }
 
 /* A corner's coordinate; up 2^exponent that fits, as the mesh has made sure. */
-static int32_t place(int32_t a, int8_t up, uint32_t mantissa) {
+static inline int32_t place(int32_t a, int32_t up, uint32_t mantissa) {
   a = up >= 0 ? a * (INT32_C(1) << up) : fc_floor_shift32(a, up < -31 ? 31 : (uint8_t)-up);
   return fc_smulhi32(a, mantissa);
 }
 
-static void bounds(const int32_t at[3], uint8_t fraction, uint16_t size, int32_t *low, int32_t *high) {
-  int32_t a = at[0] < at[1] ? at[0] : at[1], b = at[0] < at[1] ? at[1] : at[0];
-  int32_t middle = (size - 1) * (INT32_C(1) << (fraction - 1));
+/* Pixels whose centres may lie between the least and the greatest coordinate. */
+static inline void bounds(const int32_t at[3], uint8_t fraction, uint16_t size, int32_t *low, int32_t *high) {
+  int32_t a = at[0], b = at[0], middle = (size - 1) * (INT32_C(1) << (fraction - 1));
+  if (at[1] < a) a = at[1];
+  if (at[1] > b) b = at[1];
   if (at[2] < a) a = at[2];
   if (at[2] > b) b = at[2];
   *low = fc_floor_shift32(a + middle - FC_CORNER_ERROR - 1, fraction) + 1;
@@ -635,38 +637,40 @@ static void bounds(const int32_t at[3], uint8_t fraction, uint16_t size, int32_t
 static FC_NOINLINE void draw_item(fc_brush *brush, const fc_placed_mesh *mesh, const fc_triangle *item, uint16_t rows) {
   fc_scan *scan = brush->scan;
   const fc_frame *frame = scan->frame;
-  const fc_placed_vertex *vertices = fc_mesh_vertices(mesh);
+  const fc_placed_vertex *const a = fc_mesh_vertices(mesh) + item->vertex[0], *const b = fc_mesh_vertices(mesh) + item->vertex[1],
+                         *const c = fc_mesh_vertices(mesh) + item->vertex[2];
+  const uint32_t a_seen = a->seen, b_seen = b->seen, c_seen = c->seen;
   fc_corners corners;
   fc_tile box, seen;
-  int32_t last = (int32_t)scan->strip + rows - 1;
-  uint32_t mantissa[3];
-  int8_t up[3];
-  uint8_t i;
-  bool placed = true;
-  for (i = 0; i < 3; i++) {
-    uint32_t s = vertices[item->vertex[i]].seen;
-    if (s == 0) placed = false;
-    corners.seen[i] = s;
-    mantissa[i] = fc_seen_mantissa(s);
-    up[i] = (int8_t)(fc_seen_exponent(s) - mesh->shift);
-  }
-  if (placed) {
-    corners.fraction = mesh->fraction;
-    for (i = 0; i < 3; i++) corners.y[i] = place(-vertices[item->vertex[i]].p[1], up[i], mantissa[i]);
-    bounds(corners.y, mesh->fraction, frame->height, &box.y0, &box.y1);
+  const int32_t last = (int32_t)scan->strip + rows - 1;
+  if (a_seen != 0 && b_seen != 0 && c_seen != 0) {
+    const uint32_t a_mantissa = fc_seen_mantissa(a_seen), b_mantissa = fc_seen_mantissa(b_seen), c_mantissa = fc_seen_mantissa(c_seen);
+    const int32_t shift = mesh->shift, a_up = fc_seen_exponent(a_seen) - shift, b_up = fc_seen_exponent(b_seen) - shift,
+                  c_up = fc_seen_exponent(c_seen) - shift;
+    const uint8_t fraction = mesh->fraction;
+    corners.y[0] = place(-a->p[1], a_up, a_mantissa);
+    corners.y[1] = place(-b->p[1], b_up, b_mantissa);
+    corners.y[2] = place(-c->p[1], c_up, c_mantissa);
+    bounds(corners.y, fraction, frame->height, &box.y0, &box.y1);
     seen.y0 = box.y0 > scan->strip ? box.y0 : scan->strip;
     seen.y1 = box.y1 < last ? box.y1 : last;
     if (seen.y0 > seen.y1) return;
-    brush->top = box.y0 > 0 ? box.y0 : 0;
-    brush->bottom = box.y1 < frame->height - 1 ? box.y1 : frame->height - 1;
-    for (i = 0; i < 3; i++) corners.x[i] = place(vertices[item->vertex[i]].p[0], up[i], mantissa[i]);
-    bounds(corners.x, mesh->fraction, frame->width, &box.x0, &box.x1);
+    corners.x[0] = place(a->p[0], a_up, a_mantissa);
+    corners.x[1] = place(b->p[0], b_up, b_mantissa);
+    corners.x[2] = place(c->p[0], c_up, c_mantissa);
+    bounds(corners.x, fraction, frame->width, &box.x0, &box.x1);
     seen.x0 = box.x0 > 0 ? box.x0 : 0;
     seen.x1 = box.x1 < frame->width - 1 ? box.x1 : frame->width - 1;
     if (seen.x0 > seen.x1) return;
+    corners.seen[0] = a_seen;
+    corners.seen[1] = b_seen;
+    corners.seen[2] = c_seen;
+    corners.fraction = fraction;
+    brush->top = box.y0 > 0 ? box.y0 : 0;
+    brush->bottom = box.y1 < frame->height - 1 ? box.y1 : frame->height - 1;
     /* small ones have no time to ask each row whether it is left out */
-    if (box.x1 - box.x0 < FC_SMALL && box.y1 - box.y0 < FC_SMALL && scan->skip == FC_SKIP_NONE && (brush->plain || (seen.y0 ^ seen.y1) < FC_SCAN_ROWS) &&
-        draw_small(brush, mesh, &corners, &box, &seen))
+    if (box.x1 - box.x0 < FC_SMALL && box.y1 - box.y0 < FC_SMALL && scan->skip == FC_SKIP_NONE &&
+        (brush->plain || (seen.y0 ^ seen.y1) < FC_SCAN_ROWS) && draw_small(brush, mesh, &corners, &box, &seen))
       return;
     if (draw_projected(brush, mesh, &corners, &box, &seen)) return;
   } else {
