@@ -10,14 +10,6 @@
 
 #define NO_PRIMITIVE UINT16_C(0xffff)
 
-static bool load(const fc_vec3 *v, int64_t r[3]) {
-  r[0] = v->x;
-  r[1] = v->y;
-  r[2] = v->z;
-  return fc_abs32(v->x) <= (uint32_t)FC_COORDINATE_MAX && fc_abs32(v->y) <= (uint32_t)FC_COORDINATE_MAX &&
-         fc_abs32(v->z) <= (uint32_t)FC_COORDINATE_MAX;
-}
-
 static int32_t clamp(int64_t v) {
   if (v > FC_COORDINATE_MAX) return FC_COORDINATE_MAX;
   return v < -FC_COORDINATE_MAX ? -FC_COORDINATE_MAX : (int32_t)v;
@@ -133,7 +125,7 @@ int fc_intersect(const fc_scene *scene_rom, const fc_ray *ray, fc_hit *hit) {
   int64_t origin[3], direction[3];
   uint16_t nearest;
   if (scene_rom == NULL || ray == NULL || hit == NULL) return FC_ERR_NULL;
-  if (!load(&ray->origin, origin) || !load(&ray->direction, direction)) return FC_ERR_COORDINATE;
+  if (!fc_load(&ray->origin, origin) || !fc_load(&ray->direction, direction)) return FC_ERR_COORDINATE;
   if ((direction[0] | direction[1] | direction[2]) == 0) return FC_ERR_DIRECTION;
   FC_READ(&scene, scene_rom, sizeof scene);
   space = fc_space_of_world(&scene);
@@ -151,7 +143,7 @@ int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to
   fc_space space;
   fc_segment segment;
   if (scene_rom == NULL || from == NULL || to == NULL) return FC_ERR_NULL;
-  if (!load(from, segment.point) || !load(to, segment.light)) return FC_ERR_COORDINATE;
+  if (!fc_load(from, segment.point) || !fc_load(to, segment.light)) return FC_ERR_COORDINATE;
   FC_READ(&scene, scene_rom, sizeof scene);
   space = fc_space_of_world(&scene);
   segment.point_error = 0;
@@ -170,7 +162,7 @@ int fc_offset(const fc_scene *scene_rom, const fc_hit *hit, int rule, int32_t ep
   uint16_t index;
   if (scene_rom == NULL || hit == NULL || point == NULL) return FC_ERR_NULL;
   if (rule < FC_OFFSET_EXACT || rule > FC_OFFSET_NONE) return FC_ERR_FORMAT;
-  if (epsilon < 0 || epsilon > FC_COORDINATE_MAX || !load(&hit->position, surface.point)) return FC_ERR_COORDINATE;
+  if (epsilon < 0 || epsilon > FC_COORDINATE_MAX || !fc_load(&hit->position, surface.point)) return FC_ERR_COORDINATE;
   FC_READ(&scene, scene_rom, sizeof scene);
   space = fc_space_of_world(&scene);
   if (!fc_cursor_find(&surface.at, &space, hit->primitive, &index)) return FC_ERR_INDEX;
