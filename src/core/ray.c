@@ -67,7 +67,7 @@ static bool nearer(void *context, const fc_cursor *at, uint16_t index) {
   return false;
 }
 
-uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const int64_t direction[3], uint64_t t_min_q32,
+FC_COLD uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const int64_t direction[3], uint64_t t_min_q32,
                           uint64_t t_max_q32, fc_root *nearest) {
   nearest_test test;
   fc_reach reach;
@@ -89,7 +89,7 @@ uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const 
   return test.found;
 }
 
-void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
+FC_COLD void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
   int64_t n[3], point[3];
   fc_num length, t = fc_root_value(&surface->root);
   int32_t unit[3];
@@ -117,7 +117,7 @@ void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
   hit->inside = surface->inside;
 }
 
-int fc_intersect(const fc_scene *scene_rom, const fc_ray *ray, fc_hit *hit) {
+FC_COLD int fc_intersect(const fc_scene *scene_rom, const fc_ray *ray, fc_hit *hit) {
   fc_scene scene;
   fc_space space;
   fc_surface surface;
@@ -138,7 +138,7 @@ int fc_intersect(const fc_scene *scene_rom, const fc_ray *ray, fc_hit *hit) {
   return 1;
 }
 
-int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to) {
+FC_COLD int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to) {
   fc_scene scene;
   fc_space space;
   fc_segment segment;
@@ -154,7 +154,7 @@ int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to
   return fc_space_blocked(&space, &segment, NO_PRIMITIVE);
 }
 
-int fc_offset(const fc_scene *scene_rom, const fc_hit *hit, int rule, int32_t epsilon, fc_vec3 *point) {
+FC_COLD int fc_offset(const fc_scene *scene_rom, const fc_hit *hit, int rule, int32_t epsilon, fc_vec3 *point) {
   fc_scene scene;
   fc_space space;
   fc_surface surface;

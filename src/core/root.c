@@ -47,14 +47,17 @@ static FC_COLD fc_quick magnitude(const fc_wide *w, uint8_t i) {
 static FC_COLD int8_t quick_sign(const fc_wide *w, fc_quick t) {
   /* Positive and negative terms apart, each within 2^-22.8: a factor t within 2^-24, products and sums within 2^-30. */
   fc_quick sum[2] = {{0, 0}, {0, 0}}, power = fc_quick_from(1, 0);
-  uint8_t i, more;
+  uint8_t i;
   for (i = (uint8_t)(w->count - 3); i < w->count; i++) {
     fc_quick *to = &sum[w->sign[i] < 0];
     if (w->sign[i] != 0) *to = fc_quick_add(*to, fc_quick_mul(power, magnitude(w, i)));
     power = fc_quick_mul(power, t);
   }
-  more = fc_quick_less(sum[0], sum[1]);
-  return !fc_quick_less(fc_quick_add(sum[1 - more], fc_quick_scale(sum[more], -20)), sum[more]) ? 0 : more ? -1 : 1;
+  for (i = 0; i < 2; i++) {
+    fc_quick less = fc_quick_add(sum[1 - i], fc_quick_scale(sum[i], -20));
+    if (fc_quick_less(less, sum[i])) return i == 0 ? 1 : -1;
+  }
+  return 0;
 }
 
 FC_COLD int8_t fc_root_sign(const fc_root *root, fc_quick t, fc_wide *w, fc_decision decision) {

@@ -8,14 +8,14 @@
 
 static uint16_t clamp_pixel(int32_t v, uint16_t size) { return v < 0 ? 0 : v >= size ? (uint16_t)(size - 1) : (uint16_t)v; }
 
-static void set_window(const fc_frame *frame, const fc_window *box, fc_placed_window *window) {
+static FC_COLD void set_window(const fc_frame *frame, const fc_window *box, fc_placed_window *window) {
   window->x0 = clamp_pixel(box->x0, frame->width);
   window->x1 = clamp_pixel(box->x1, frame->width);
   window->y0 = clamp_pixel(box->y0, frame->height);
   window->y1 = clamp_pixel(box->y1, frame->height);
 }
 
-void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
+FC_COLD void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
   fc_placed_sphere *placed = memory;
   int64_t limit = (int64_t)fc_num_round(fc_num_from_u64((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame)), 0);
   uint16_t i;
@@ -110,7 +110,7 @@ static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
   return false;
 }
 
-static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
+static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_reach reach;
   occluder_list list;
@@ -126,7 +126,7 @@ static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
 }
 
 /* p: near / z = p / 2^(30 + drop), off by at most `error`. */
-static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop, uint32_t error) {
+static FC_COLD uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop, uint32_t error) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, l[3], at, most, center_light;
   int32_t s0;
@@ -190,7 +190,7 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
 }
 
 /* The point that a pixel with this p shows: t D with t = near 2^(30 + drop) / (p F); returns a bound of its error an axis. */
-static uint32_t point_at(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p,
+static FC_COLD uint32_t point_at(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p,
                          int32_t point[3]) {
   fc_quick t = fc_quick_mul(fc_quick_recip(fc_quick_from(p, 0)), light->depth);
   int64_t d[3];
@@ -224,7 +224,7 @@ static bool hides_pixel(void *context, const fc_cursor *at, uint16_t index) {
   return hides > 0 || (hides < 0 && fc_scan_blocked(q->scan, q->row, q->column, kind, &form));
 }
 
-static FC_NOINLINE bool occluded_by_any(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
+static FC_COLD bool occluded_by_any(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
   fc_space space = fc_space_of_frame(scan->frame);
   pixel_question question;
   fc_reach reach;
@@ -244,7 +244,7 @@ static FC_NOINLINE bool occluded_by_any(const fc_scan *scan, const ball_light *l
 }
 
 /* Whether an occluder in the list keeps the light away from the pixel with this p. */
-static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
+static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_cursor cursor;
   int32_t point[3];
@@ -284,13 +284,13 @@ typedef struct facing {
 } facing;
 
 /* v / p times 2^cut 2^31 / 2^16, v within 2^30: a product of 31 and 16 bits. */
-static inline int32_t over(int32_t v, uint32_t p, uint8_t cut) {
+FC_INLINE int32_t over(int32_t v, uint32_t p, uint8_t cut) {
   uint32_t r = fc_recip_q31(p >> cut);
   return fc_floor_shift32(v, 16) * (int32_t)r + (int32_t)((((uint32_t)v & 0xffffu) * r) >> 16);
 }
 
 /* s - h of a pixel, refined. */
-static FC_NOINLINE int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
+static FC_COLD int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
   uint32_t r = fc_recip_q31(p >> (octave - 15));
   int32_t s = over(along, p, (uint8_t)(octave - 15));
   /* times 1 + rest with rest = 1 - x r, below 2^-13 */
@@ -372,7 +372,7 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
 }
 
 /* The cosine in Q16 from s - h = e > 0. */
-static inline uint32_t cosine_of(uint32_t e, uint32_t sum, uint32_t h, uint32_t start) {
+FC_INLINE uint32_t cosine_of(uint32_t e, uint32_t sum, uint32_t h, uint32_t start) {
   /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
   uint32_t g = (sum - (((e >> 8) + start) * h >> 6)) << 6;
   uint8_t up = 15;
@@ -438,7 +438,7 @@ static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row
 }
 
 /* The same among occluders, who are asked about the points. */
-static FC_NOINLINE void light_row_among(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column,
+static FC_COLD void light_row_among(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column,
                                         uint32_t bits, const uint32_t *p) {
   uint32_t e[32], rest;
   uint8_t i;
@@ -462,7 +462,7 @@ typedef struct sphere_forms {
 } sphere_forms;
 
 /* Takes pixels beyond the far limit out of a run; returns those that it may cut. */
-static uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t row, uint16_t column, const uint32_t *ps,
+static FC_COLD uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t row, uint16_t column, const uint32_t *ps,
                          uint32_t *p, const uint32_t *end) {
   uint32_t open = 0;
   for (; p != end; p++) {
@@ -475,19 +475,53 @@ static uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t
   return open;
 }
 
-/* The pixels among `bits` that the ray engine shows. */
-static uint32_t exact_run(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
-  uint32_t shown = 0, bit = 1;
-  for (; bits != 0; bits >>= 1, bit <<= 1, column++)
-    if ((bits & 1) && fc_scan_exact(scan, row, column)) shown |= bit;
-  return shown;
-}
-
 /* Where the forms stand in a row. */
 typedef struct sphere_row {
   uint64_t f, dx;
-  uint32_t b;
+  uint64_t b_start; /* at the first pixel of a word */
+  uint32_t b;       /* with the word's steps rounded */
 } sphere_row;
+
+/*
+ * The pixels among `bits` of a word, whose forms stand in *at, that show the sphere, where 32 bits could not tell: by all bits of the
+ * forms, and where these leave it open by the ray engine. *rough: those of them that have no p.
+ */
+static FC_COLD uint32_t settle(const fc_scan *scan, const sphere_forms *ball, const sphere_row *at, fc_coder *coder, uint16_t row,
+                               uint16_t column, uint32_t bits, uint32_t *ps, uint32_t *rough) {
+  uint32_t shown = 0, bit = 1;
+  uint8_t n;
+  for (n = 0; bits != 0; n++, bits >>= 1, bit <<= 1) {
+    uint64_t f;
+    uint16_t *depth = fc_scan_depth(scan, row, (uint16_t)(column + n));
+    int32_t code = -1;
+    bool good = false;
+    if (!(bits & 1)) continue;
+    f = at->f + fc_times(at->dx, n);
+    if (n > 1) f += fc_times((uint64_t)ball->cone.dxx, (uint16_t)(n * (n - 1) / 2));
+    if (fc_to_i64(f) > ball->cone.error && !ball->clip) {
+      /* sqrt(f) is off by e / (2 sqrt(f)) at most; floors of the root and of b, and the factors' cuts, 4 (set_ball) */
+      uint32_t root = fc_sqrt64(f << ball->lift), p, error;
+      uint64_t loss = ((uint64_t)ball->cone.error << (ball->lift - ball->half_lift)) >> (31 - fc_clz32(root)); /* 34 + 30 bits */
+      p = (uint32_t)((at->b_start + fc_times((uint64_t)ball->b_dx, n)) >> 32) + (root >> ball->half_lift);
+      if (loss < UINT32_C(1) << 24 && p != 0) {
+        error = (uint32_t)loss + 8;
+        fc_coder_follow(coder, scan->frame, p);
+        code = fc_coder_code(coder, p, error);
+        good = error <= ball->error;
+        ps[n] = p;
+      }
+    }
+    if (code >= 0 && code != *depth) {
+      if (code < *depth) continue;
+      *depth = (uint16_t)code;
+    } else if (!fc_scan_exact(scan, row, (uint16_t)(column + n))) {
+      continue;
+    }
+    shown |= bit;
+    if (!good) *rough |= bit;
+  }
+  return shown;
+}
 
 /* p of the pixels from here on until one is not surely inside, or `end`; returns where that is. */
 static FC_NOINLINE uint32_t *inside_run(const sphere_forms *ball, sphere_row *at, uint32_t *to, const uint32_t *end) {
@@ -571,9 +605,9 @@ static FC_NOINLINE const uint32_t *test_octave(const octave *of, const uint32_t 
   return p;
 }
 
-/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. */
+/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. Returns those shown. */
 static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t column, const uint32_t *first, const uint32_t *end,
-                                     uint32_t error, fc_coder *coder) {
+                                     uint32_t error, fc_coder *coder, uint32_t *undecided) {
   uint16_t *depth = fc_scan_depth(scan, row, column);
   const uint32_t *p = first;
   uint32_t shown = 0, open = 0;
@@ -606,14 +640,17 @@ static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t
       p++;
     }
   }
-  return open == 0 ? shown : shown | exact_run(scan, row, column, open);
+  *undecided = open;
+  return shown;
 }
 
-/* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each, and in *exact those that
- * the ray engine alone has seen and that have no p. */
+/* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each, and in *rough those that show it
+ * and have no p. */
 static FC_NOINLINE uint32_t draw_word(const fc_scan *scan, const sphere_forms *ball, sphere_row *at, fc_coder *coder, uint16_t row,
-                                      uint16_t column, uint8_t count, uint32_t *ps, uint32_t *exact_bits) {
-  uint32_t *p = ps, *end = ps + count, *first = NULL, *last = ps, exact = 0;
+                                      uint16_t column, uint8_t count, uint32_t *ps, uint32_t *rough) {
+  uint32_t *p = ps, *end = ps + count, *first = NULL, *last = ps, open = 0, shown = 0;
+  const sphere_row start = *at;
+  *rough = 0;
   while (p != end) {
     int32_t high = fc_to_i32((uint32_t)(at->f >> 32));
     if (high > ball->inside) {
@@ -621,23 +658,29 @@ static FC_NOINLINE uint32_t draw_word(const fc_scan *scan, const sphere_forms *b
       p = inside_run(ball, at, p, end);
       if (first == NULL) first = from;
       last = p;
-      if (ball->clip) exact |= clip_run(scan, ball, row, column, ps, from, p);
+      if (ball->clip) open |= clip_run(scan, ball, row, column, ps, from, p);
       continue;
     }
-    if (high >= ball->outside) exact |= UINT32_C(1) << (p - ps);
+    if (high >= ball->outside) open |= UINT32_C(1) << (p - ps);
     p = outside_run(ball, at, p, end);
   }
-  if (exact != 0) exact = exact_run(scan, row, column, exact);
-  *exact_bits = exact;
-  if (first == NULL) return 0;
-  return test_run(scan, row, (uint16_t)(column + (first - ps)), first, last, ball->error, coder) << (first - ps);
+  if (first != NULL) {
+    uint32_t undecided;
+    shown = test_run(scan, row, (uint16_t)(column + (first - ps)), first, last, ball->error, coder, &undecided) << (first - ps);
+    open |= undecided << (first - ps);
+  }
+  if (open != 0) {
+    shown |= settle(scan, ball, &start, coder, row, column, open, ps, rough);
+    shown &= ~*rough;
+  }
+  return shown;
 }
 
 /* 2 floor(a b / 2^32) */
-static int64_t scaled(int64_t a, int32_t b) { return 2 * fc_smul64hi(a, b); }
+static FC_COLD int64_t scaled(int64_t a, int32_t b) { return 2 * fc_smul64hi(a, b); }
 
 /* Multiplies b and sqrt(f) by factor / 2^32, so that their sum is p. */
-static void fold(sphere_forms *ball, uint32_t factor, int64_t *b_dy, int64_t steps) {
+static FC_COLD void fold(sphere_forms *ball, uint32_t factor, int64_t *b_dy, int64_t steps) {
   const int32_t once = (int32_t)(factor >> 1), twice = (int32_t)(fc_mulhi32(factor, factor) >> 1);
   ball->b = scaled(ball->b, once);
   ball->b_dx = scaled(ball->b_dx, once);
@@ -652,7 +695,7 @@ static void fold(sphere_forms *ball, uint32_t factor, int64_t *b_dy, int64_t ste
   ball->cone.error += 4 * steps * steps;
 }
 
-static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere_forms *ball, int64_t *b_dy) {
+static FC_COLD void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere_forms *ball, int64_t *b_dy) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, unit;
   fc_sheaf sheaf;
@@ -748,6 +791,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
       uint32_t ps[32], bits, exact;
       uint8_t count = scan->columns - column < 32 ? (uint8_t)(scan->columns - column) : 32;
       at.b = (uint32_t)((b + (UINT32_C(1) << 31)) >> 32);
+      at.b_start = b;
       b += (uint64_t)ball.b_dx << 5;
       bits = draw_word(scan, &ball, &at, &coder, row, column, count, ps, &exact);
       if ((bits | exact) == 0 || !fc_scan_wants_light(scan, row, column, bits | exact)) continue;
@@ -768,7 +812,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   }
 }
 
-void fc_sphere_draw(fc_scan *scan) {
+FC_COLD void fc_sphere_draw(fc_scan *scan) {
   const fc_placed_sphere *placed = (const fc_placed_sphere *)scan->at->group.memory + scan->index;
   uint16_t row;
   uint8_t word;
@@ -788,7 +832,7 @@ void fc_sphere_draw(fc_scan *scan) {
 
 /* ---- shadows ---- */
 
-bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
+FC_COLD bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window) {
   /* The hull of light and ball lies in a capsule and in a cone: the sphere misses it if it is clear of either. In units that
    * make everything 15 bits, with some units of slack for the cuts. a: to the sphere, b: to the ball. */
@@ -840,7 +884,7 @@ bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t
  * distances compare for certain beyond `slack`. With both ends clearly outside, the segment is blocked iff its inner points
  * come within the radius.
  */
-static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+static FC_COLD int8_t glance(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
   int64_t a[3], b[3], ab = 0, apart, out, in;
   uint32_t aa = 0, bb = 0; /* below 3 * 2^30 */
   uint64_t across, square, most = (uint64_t)form->u.sphere.radius;
@@ -872,7 +916,7 @@ static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], co
   return across < square ? 1 : -1;
 }
 
-int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
   /* Light outside. With w = P - L, c = C - L and q = |c|^2 - r^2 > 0 the line meets the sphere iff (w.c)^2 >= w.w q and w.c > 0,
    * and it does so before P iff its foot does, w.c < w.w, or P is inside, w.w - 2 w.c + q < 0. Vectors are cut to 29 bits
    * and sums of three products by 2^30 more, to 30. */
@@ -930,12 +974,12 @@ typedef struct ahead_form {
   int64_t at, dx, dy, margin;
 } ahead_form;
 
-static int64_t along_center(const int64_t center[3], const int32_t w[3]) {
+static FC_COLD int64_t along_center(const int64_t center[3], const int32_t w[3]) {
   return fc_smul64hi(center[0], w[0]) + fc_smul64hi(center[1], w[1]) + fc_smul64hi(center[2], w[2]);
 }
 
 /* 1: everywhere, -1: nowhere, 0: here and there. */
-static int8_t set_ahead(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], ahead_form *a) {
+static FC_COLD int8_t set_ahead(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], ahead_form *a) {
   /* 31 + 30 bits, less 32; floors and W's error: 3 (1 + columns + rows) + |C - L|_1 error / 2^32 */
   int64_t x, y, low, high;
   a->at = along_center(center, receiver->w.at);
@@ -957,12 +1001,13 @@ typedef struct shadow_test {
   bool doubted;      /* the row has pixels in `doubt` */
   ahead_form ahead;
   fc_window doubt;
+  const fc_planar *receiver;
   const fc_kind *kind;
   const fc_form *form;
 } shadow_test;
 
 /* Up to 8 pixels: those in the dark. */
-static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column,
+static FC_COLD uint32_t shade_some(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column,
                                        uint32_t bits, uint64_t f, uint64_t dx, uint64_t dxx) {
   uint32_t dark = 0, bit = 1;
   for (; bits != 0; bits >>= 1, bit <<= 1, column++, f += dx, dx += dxx) {
@@ -975,7 +1020,8 @@ static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *t
     }
     if (test->doubted && scan->x + column >= test->doubt.x0 && scan->x + column <= test->doubt.x1) sure = false;
     if (!sure)
-      sure = fc_scan_guesses(scan) ? fc_to_i64(f) > 0 : fc_scan_blocked(scan, row, column, test->kind, test->form);
+      sure = fc_scan_guesses(scan) ? fc_to_i64(f) > 0
+                                   : fc_planar_blocked(scan, test->receiver, row, column, test->kind, test->form);
     if (sure) dark |= bit;
   }
   return dark;
@@ -1016,6 +1062,7 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   clear.everywhere = everywhere;
   clear.ahead = ahead;
   clear.doubt = doubt;
+  clear.receiver = receiver;
   clear.kind = kind;
   clear.form = form;
   /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|; f, below 2^62,
