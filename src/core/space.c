@@ -133,7 +133,7 @@ FC_COLD bool fc_space_blocked(const fc_space *space, const fc_segment *segment, 
   reach.corners = 1;
   reach.radius = segment->point_error;
   reach.limited = false;
-  return fc_space_search(space, segment->point_valid ? &reach : NULL, blocks, &test);
+  return fc_space_search(space, segment->point_error != UINT32_MAX ? &reach : NULL, blocks, &test);
 }
 
 FC_COLD bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primitive, const int64_t origin[3],
@@ -149,8 +149,7 @@ FC_COLD bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_
 }
 
 FC_COLD void fc_surface_complete(fc_surface *surface) {
-  surface->point_valid =
-      fc_point_at(fc_root_value(&surface->root), surface->origin, surface->direction, surface->point);
+  surface->point_error = fc_point_near(fc_root_quick(&surface->root), surface->origin, surface->direction, surface->point);
   surface->inside =
       fc_kind_of(&surface->at)->normal(&surface->form, &surface->prepared, surface->point, surface->normal) || surface->root.q > 0;
 }
