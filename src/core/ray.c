@@ -75,7 +75,7 @@ static bool nearer(void *context, const fc_cursor *at, uint16_t index) {
   return false;
 }
 
-uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const int64_t direction[3], uint64_t t_min_q32,
+FC_COLD uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const int64_t direction[3], uint64_t t_min_q32,
                           uint64_t t_max_q32, fc_root *nearest) {
   nearest_test test;
   fc_reach reach;
@@ -97,7 +97,7 @@ uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const 
   return test.found;
 }
 
-void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
+FC_COLD void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
   const int64_t *n = surface->normal;
   fc_num length = fc_length(n), t = fc_root_value(&surface->root);
   int32_t unit[3];
@@ -122,7 +122,7 @@ void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
   hit->inside = surface->inside;
 }
 
-int fc_intersect(const fc_scene *scene_rom, const fc_ray *ray, fc_hit *hit) {
+FC_COLD int fc_intersect(const fc_scene *scene_rom, const fc_ray *ray, fc_hit *hit) {
   fc_scene scene;
   fc_space space;
   fc_surface surface;
@@ -143,7 +143,7 @@ int fc_intersect(const fc_scene *scene_rom, const fc_ray *ray, fc_hit *hit) {
   return 1;
 }
 
-int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to) {
+FC_COLD int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to) {
   fc_scene scene;
   fc_space space;
   fc_segment segment;
@@ -160,7 +160,7 @@ int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to
   return fc_space_blocked(&space, &segment, NO_PRIMITIVE);
 }
 
-int fc_offset(const fc_scene *scene_rom, const fc_hit *hit, int rule, int32_t epsilon, fc_vec3 *point) {
+FC_COLD int fc_offset(const fc_scene *scene_rom, const fc_hit *hit, int rule, int32_t epsilon, fc_vec3 *point) {
   fc_scene scene;
   fc_space space;
   fc_surface surface;

@@ -284,7 +284,7 @@ typedef struct facing {
 } facing;
 
 /* v / p times 2^cut 2^31 / 2^16, v within 2^30: a product of 31 and 16 bits. */
-static inline int32_t over(int32_t v, uint32_t p, uint8_t cut) {
+FC_INLINE int32_t over(int32_t v, uint32_t p, uint8_t cut) {
   uint32_t r = fc_recip_q31(p >> cut);
   return fc_floor_shift32(v, 16) * (int32_t)r + (int32_t)((((uint32_t)v & 0xffffu) * r) >> 16);
 }
@@ -372,7 +372,7 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
 }
 
 /* The cosine in Q16 from s - h = e > 0. */
-static inline uint32_t cosine_of(uint32_t e, uint32_t sum, uint32_t h, uint32_t start) {
+FC_INLINE uint32_t cosine_of(uint32_t e, uint32_t sum, uint32_t h, uint32_t start) {
   /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
   uint32_t g = (sum - (((e >> 8) + start) * h >> 6)) << 6;
   uint8_t up = 15;
@@ -1001,6 +1001,7 @@ typedef struct shadow_test {
   bool doubted;      /* the row has pixels in `doubt` */
   ahead_form ahead;
   fc_window doubt;
+  const fc_planar *receiver;
   const fc_kind *kind;
   const fc_form *form;
 } shadow_test;
@@ -1019,7 +1020,8 @@ static FC_COLD uint32_t shade_some(const fc_scan *scan, const shadow_test *test,
     }
     if (test->doubted && scan->x + column >= test->doubt.x0 && scan->x + column <= test->doubt.x1) sure = false;
     if (!sure)
-      sure = fc_scan_guesses(scan) ? fc_to_i64(f) > 0 : fc_scan_blocked(scan, row, column, test->kind, test->form);
+      sure = fc_scan_guesses(scan) ? fc_to_i64(f) > 0
+                                   : fc_planar_blocked(scan, test->receiver, row, column, test->kind, test->form);
     if (sure) dark |= bit;
   }
   return dark;
@@ -1060,6 +1062,7 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   clear.everywhere = everywhere;
   clear.ahead = ahead;
   clear.doubt = doubt;
+  clear.receiver = receiver;
   clear.kind = kind;
   clear.form = form;
   /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|; f, below 2^62,

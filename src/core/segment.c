@@ -73,3 +73,9 @@ FC_COLD void fc_cross(const int64_t a[3], const int64_t b[3], int64_t r[3]) {
 }
 
 FC_COLD uint8_t fc_vector_bits(const int64_t a[3]) { return fc_bits64(fc_abs64(a[0]) | fc_abs64(a[1]) | fc_abs64(a[2])); }
+
+FC_COLD uint8_t fc_shrink(const int64_t v[3], int64_t r[3]) {
+  uint8_t bits = fc_vector_bits(v), shift = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
+  for (i = 0; i < 3; i++) r[i] = fc_floor_shift64(v[i], shift);
+  return shift;
+}

@@ -62,4 +62,7 @@ void fc_cross(const int64_t a[3], const int64_t b[3], int64_t r[3]);
 /* Bits of the largest component. */
 uint8_t fc_vector_bits(const int64_t a[3]);
 
+/* v floored to at most 30 bits; returns the shift. */
+uint8_t fc_shrink(const int64_t v[3], int64_t r[3]);
+
 #endif
