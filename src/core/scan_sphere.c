@@ -1074,10 +1074,10 @@ static FC_COLD uint32_t shade_some(const fc_scan *scan, const shadow_test *test,
   for (; bits != 0; bits >>= 1, bit <<= 1, column++, f += dx, dx += dxx) {
     bool sure = fc_to_i64(f) > test->dark;
     if (!(bits & 1) || fc_to_i64(f) < test->lit) continue;
-    if (sure && test->everywhere == 0) {
+    if (test->everywhere == 0) {
       int64_t a = test->ahead.at + test->ahead.dx * column + test->ahead.dy * row;
-      if (a < -test->ahead.margin) continue;
-      sure = a > test->ahead.margin;
+      if (a < -test->ahead.margin) continue; /* behind the light, whatever f is */
+      if (a <= test->ahead.margin) sure = false;
     }
     if (test->doubted && scan->x + column >= test->doubt.x0 && scan->x + column <= test->doubt.x1) sure = false;
     if (!sure)
