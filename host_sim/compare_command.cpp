@@ -130,6 +130,7 @@ void add_compare_command(CLI::App &app, Action &action) {
       app.add_subcommand("compare", "Render a scene and count every error against the oracle");
   add_scene_options(*command, *options);
   add_offset_option(*command, *options);
+  add_profile_option(*command, *options);
   command->add_flag("-v,--verbose", options->verbose,
                     "list each wrong pixel and its distance from the true edge");
   command

@@ -25,13 +25,13 @@ namespace {
 /* `progress` may be null. */
 Picture render_format(const CoreFrame &frame, fc_format format, int strip_rows, Progress *progress) {
   Picture p;
-  p.width = frame.get().width;
-  p.height = frame.get().height;
-  const std::size_t width = frame.get().width;
-  const std::size_t size = width * frame.get().height;
+  p.width = frame.width();
+  p.height = frame.height();
+  const std::size_t width = static_cast<std::size_t>(p.width);
+  const std::size_t size = width * static_cast<std::size_t>(p.height);
   const std::size_t pitch = width * static_cast<std::size_t>(fc_format_bytes(format));
   std::vector<std::uint16_t> primitive(size);
-  p.pixels.resize(pitch * frame.get().height);
+  p.pixels.resize(pitch * static_cast<std::size_t>(p.height));
   p.depth.resize(size);
   p.lit.resize(size);
   for (int y = 0; y < p.height; y += strip_rows) {
@@ -44,9 +44,12 @@ Picture render_format(const CoreFrame &frame, fc_format format, int strip_rows, 
     target.primitive = primitive.data() + first;
     target.lit = p.lit.data() + first;
     const int rows = std::min(strip_rows, p.height - y);
-    const int error = fc_render_rows(&frame.get(), static_cast<std::uint16_t>(y),
-                                     static_cast<std::uint16_t>(rows), &target);
-    if (error < 0) throw UserError(std::string("cannot render: ") + fc_error_text(error));
+    const int fields = frame.get().options.profile == FC_PROFILE_INTERLACED ? 2 : 1;
+    for (int field = 0; field < fields; field++) {
+      const int error = fc_render_profile(&frame.get(), static_cast<std::uint8_t>(field), static_cast<std::uint16_t>(y),
+                                          static_cast<std::uint16_t>(rows), &target);
+      if (error < 0) throw UserError(std::string("cannot render: ") + fc_error_text(error));
+    }
     if (progress != nullptr) progress->update(static_cast<std::size_t>(y + rows));
   }
   p.object.resize(size);
@@ -62,7 +65,7 @@ Picture render_format(const CoreFrame &frame, fc_format format, int strip_rows, 
 
 CoreFrame::CoreFrame(const SceneFile &file, const CoreScene &core, const fc_options &options, int width,
                      int height)
-    : core_(core) {
+    : core_(core), width_(width), height_(height) {
   int error = FC_OK;
   memory_bytes_ = fc_frame_memory(&core.scene, &error);
   if (error < 0) fail(file, error);
@@ -81,7 +84,7 @@ double CoreFrame::depth_z(std::uint16_t code) const {
 Pictures render(const CoreFrame &frame, int strip_rows) {
   std::future<Picture> rgb888 =
       std::async(std::launch::async, [&] { return render_format(frame, FC_RGB888, strip_rows, nullptr); });
-  Progress progress("rendering", frame.get().height);
+  Progress progress("rendering", static_cast<std::size_t>(frame.height()));
   Picture rgb565 = render_format(frame, FC_RGB565_BE, strip_rows, &progress);
   return {rgb888.get(), std::move(rgb565)};
 }

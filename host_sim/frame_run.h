@@ -26,6 +26,15 @@ public:
     return frame_;
   }
 
+  /* As asked for, whatever the profile draws. */
+  int width() const {
+    return width_;
+  }
+
+  int height() const {
+    return height_;
+  }
+
   std::size_t memory_bytes() const {
     return memory_bytes_;
   }
@@ -36,11 +45,12 @@ public:
 private:
   const CoreScene &core_;
   fc_frame frame_{};
+  int width_, height_;
   std::size_t memory_bytes_ = 0;
   std::vector<std::int64_t> memory_; /* of int64_t for its alignment */
 };
 
-/* What fc_render_rows wrote, rows from top to bottom. */
+/* What fc_render_profile wrote, rows from top to bottom. */
 struct Picture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> pixels;

@@ -77,6 +77,7 @@ void add_pick_command(CLI::App &app, Action &action) {
   add_scene_options(*command, *options);
   command->add_option("x", options->x, "column, 0 at the left")->required()->type_name("X");
   command->add_option("y", options->y, "row, 0 at the top")->required()->type_name("Y");
+  add_profile_option(*command, *options);
   add_json_option(*command, *options);
   command->callback([&action, options] { action = [options] { return run_pick(*options); }; });
 }

@@ -76,6 +76,7 @@ void add_render_command(CLI::App &app, Action &action) {
                    "write the depth codes stretched to 16-bit greys, nearer is brighter")
       ->type_name("DEPTH.png");
   add_offset_option(*command, *options);
+  add_profile_option(*command, *options);
   command
       ->add_option("--strip", options->strip_rows,
                    "render in strips of so many rows; default: the whole frame")

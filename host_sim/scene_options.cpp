@@ -42,6 +42,14 @@ void set_size(LoadedScene &scene, const std::string &text) {
   scene.height = *height;
 }
 
+std::uint8_t to_profile(const std::string &name) {
+  if (name == "exact") return FC_PROFILE_EXACT;
+  if (name == "fast") return FC_PROFILE_FAST;
+  if (name == "half") return FC_PROFILE_HALF;
+  if (name == "interlaced") return FC_PROFILE_INTERLACED;
+  throw UserError("--profile takes exact, fast, half or interlaced, not \"" + name + "\"");
+}
+
 void set_world_scale(SceneFile &file, const std::string &text) {
   constexpr int limit = 1 << 30;
   const std::size_t slash = text.find('/');
@@ -73,6 +81,14 @@ void add_offset_option(CLI::App &command, SceneOptions &options) {
       ->type_name("RULE");
 }
 
+void add_profile_option(CLI::App &command, SceneOptions &options) {
+  command
+      .add_option("--profile", options.profile,
+                  "what the frame gives up for speed: exact (default: nothing), fast, half or interlaced (both fields of a "
+                  "still scene)")
+      ->type_name("PROFILE");
+}
+
 void add_bvh_option(CLI::App &command, SceneOptions &options) {
   command
       .add_option("--bvh", options.bvh,
@@ -89,6 +105,7 @@ LoadedScene load_scene(const SceneOptions &options) {
   LoadedScene scene;
   /* What is typed wrong is said before a large file is read, except for the size the file may state. */
   set_world_scale(scene.file, options.world_scale);
+  const std::uint8_t profile = to_profile(options.profile);
   if (!options.size.empty()) set_size(scene, options.size);
   scene.file = read_nff(options.scene);
   set_world_scale(scene.file, options.world_scale);
@@ -96,6 +113,7 @@ LoadedScene load_scene(const SceneOptions &options) {
   scene.core = to_core(scene.file);
   add_hierarchy(scene.core, options.bvh);
   scene.options = to_options(options.offset, scene.core.scene);
+  scene.options.profile = profile;
   return scene;
 }
 

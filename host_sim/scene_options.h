@@ -15,7 +15,7 @@ namespace host {
 
 /* As typed. */
 struct SceneOptions {
-  std::string scene, size, world_scale = "1", offset = "exact", bvh = "auto";
+  std::string scene, size, world_scale = "1", offset = "exact", bvh = "auto", profile = "exact";
   bool json = false;
 };
 
@@ -30,6 +30,7 @@ struct LoadedScene {
 /* SCENE, --size and --world-scale. */
 void add_scene_options(CLI::App &command, SceneOptions &options);
 void add_offset_option(CLI::App &command, SceneOptions &options);
+void add_profile_option(CLI::App &command, SceneOptions &options);
 void add_bvh_option(CLI::App &command, SceneOptions &options);
 void add_json_option(CLI::App &command, SceneOptions &options);
 

@@ -23,7 +23,8 @@ typedef enum fc_error {
   FC_ERR_MEMORY = -13,       /* the memory handed over is too small or not aligned for int64_t */
   FC_ERR_FORMAT = -14,       /* unknown pixel format, field-of-view rule or shadow rule */
   FC_ERR_DIRECTION = -15,    /* a ray's direction is zero */
-  FC_ERR_BVH = -16           /* a bounding volume hierarchy that was not made for this scene, or is damaged */
+  FC_ERR_BVH = -16,          /* a bounding volume hierarchy that was not made for this scene, or is damaged */
+  FC_ERR_PROFILE = -17       /* unknown profile, or a field that is not 0 or 1 */
 } fc_error;
 
 /* A sentence for an error code, never NULL; the text is constant and lives as long as the program. */

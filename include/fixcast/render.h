@@ -21,11 +21,21 @@ extern "C" {
 
 #define FC_SIZE_MAX UINT16_C(4096) /* largest width or height of a frame */
 
+/* What a frame gives up for speed (docs/SPEC.md section 11 has the numbers, docs/REPORT.md what it saves on each chip). */
+typedef enum fc_profile {
+  FC_PROFILE_EXACT = 0,  /* nothing: as exact arithmetic decides */
+  FC_PROFILE_FAST = 1,   /* visible primitives and depth exact; a channel within 4/255; where the shadow of a sphere on a plane is
+                            closer to its edge than its form can tell for certain, what the form says */
+  FC_PROFILE_HALF = 2,   /* a sample for each block of 2x2 pixels, itself exact; drawn by fc_render_profile */
+  FC_PROFILE_INTERLACED = 3 /* a frame is every other row, exact; drawn by fc_render_profile, field 0 and 1 in turn */
+} fc_profile;
+
 /* All zero is the default. */
 typedef struct fc_options {
   uint8_t offset_rule;   /* fc_offset_rule for shadow tests */
   uint8_t depth_exponent_bits; /* 0: by the scene's depth range; or 2, 3, 4 */
   int8_t epsilon_exponent; /* -31..31 */
+  uint8_t profile;       /* fc_profile */
   int32_t epsilon;       /* FC_OFFSET_EPSILON: epsilon * 2^epsilon_exponent world coordinates; 0..FC_COORDINATE_MAX */
 } fc_options;
 
@@ -47,7 +57,8 @@ typedef struct fc_frame {
   const int64_t *lights; /* in memory: camera-space positions, three a light */
   fc_view view;
   fc_options options;
-  uint16_t width, height;
+  uint16_t width, height; /* of what is drawn: of FC_PROFILE_HALF its samples */
+  uint8_t odd;         /* of FC_PROFILE_HALF: bit 0, 1: the last samples stand for one column, row */
   int64_t epsilon_grid; /* epsilon in camera grid units */
   uint32_t depth_near; /* camera z, in grid units, of depth value 1 */
   uint8_t depth_exponent_bits;
@@ -72,11 +83,29 @@ int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *came
  * independent: two cores may draw strips of one frame at the same time, each into its own target, in any order (README). */
 int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
 
-/* The same by the ray engine, a ray a pixel: slow, and the definition. Visible primitives, lights that reach them and
+/*
+ * Renders rows y .. y + rows - 1 as the frame's profile says.
+ *
+ * FC_PROFILE_EXACT, FC_PROFILE_FAST: as fc_render_rows, `field` is not looked at.
+ *
+ * FC_PROFILE_HALF: the frame of (width + 1) / 2 x (height + 1) / 2 samples that fc_render_rows would draw, each doubled to the
+ * right and downwards in pixels, depth, primitive and lit alike. Target and rows are of the whole frame. Any strips give the same
+ * bits; a strip that begins at an odd row or has an odd number of rows draws a row of samples that its neighbour draws too.
+ *
+ * FC_PROFILE_INTERLACED: the rows y' of the frame with y' % 2 == field, into the rows of the target where fc_render_rows puts
+ * them. The others are not written, in none of the target's buffers: what the caller left there stays. Draw field 0 and field 1
+ * in turn, a frame each, into a buffer of the whole frame, or send only the rows that were drawn to a panel that keeps the
+ * others. Together the fields of a still scene are the exact frame.
+ *
+ * Programs that don't call it are not made larger by it. Errors: those of fc_render_rows, and FC_ERR_PROFILE for a field above 1.
+ */
+int fc_render_profile(const fc_frame *frame, uint8_t field, uint16_t y, uint16_t rows, const fc_target *target);
+
+/* The same as fc_render_rows by the ray engine, a ray a pixel: slow, and the definition. Visible primitives, lights that reach them and
  * depth codes are equal; colours are within one level (SPEC section 5). */
 int fc_render_rows_by_rays(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
 
-/* What pixel (x, y) shows: 1 with *hit filled (world coordinates; lit as in fc_target, lit may be NULL),
+/* What pixel (x, y) of the whole frame shows, in any profile: 1 with *hit filled (world coordinates; lit as in fc_target, lit may be NULL),
  * 0 for background, or an error. hit->t_q32 is the depth (camera z) in world coordinates. hit->position is
  * within 2 world coordinates plus one part in 2^28 of the distance, clamped to +-FC_COORDINATE_MAX. */
 int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t *lit);

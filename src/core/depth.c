@@ -1,10 +1,10 @@
 /* Depth codes: format choice, encoding with an exact tie break, decoding. */
 #include "depth.h"
 
+#include "bits.h"
 #include "num.h"
-#include "tally.h"
 
-void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
+FC_COLD void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
   uint8_t bits = frame->options.depth_exponent_bits;
   /* Something touches the eye's plane or has no end: sixteen octaves below the coordinates' range. */
   if (near == 0) near = ((far < (UINT64_C(1) << 30) ? far : (UINT64_C(1) << 30)) >> 16) + 1;
@@ -21,39 +21,37 @@ void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
   frame->depth_exponent_bits = bits;
 }
 
-uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root) {
-  uint8_t e_bits = frame->depth_exponent_bits, m_bits = (uint8_t)(16 - e_bits), drop = (uint8_t)(62 - m_bits);
+FC_COLD uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root) {
+  uint8_t e_bits = frame->depth_exponent_bits, m_bits = (uint8_t)(16 - e_bits);
   int32_t octaves = INT32_C(1) << e_bits, octave;
-  fc_num z = fc_num_mul(fc_root_value(root), fc_num_from_u64((uint64_t)frame->view.focal, 0));
-  fc_num v = fc_num_div(fc_num_from_u64(frame->depth_near, 0), z);
-  uint64_t fraction = v.m - (UINT64_C(1) << 62), rest, half = UINT64_C(1) << (drop - 1);
-  uint32_t code;
-  bool close;
-  octave = v.e + 62 + octaves; /* 1/2 <= v < 1 is the highest, octaves - 1 */
+  fc_quick z = fc_quick_mul(fc_root_quick(root), fc_quick_from((uint64_t)frame->view.focal, 0));
+  fc_quick v = fc_quick_mul(fc_quick_from(frame->depth_near, 0), fc_quick_recip(z));
+  uint32_t mantissa = v.m >> (31 - m_bits), code; /* its highest bit included */
+  int32_t over = fc_to_i32((v.m << (m_bits + 1)) - (UINT32_C(1) << 31)); /* the fraction of a step, less its half */
+  int8_t up = over < 0 ? -1 : 1;
+  octave = v.e + 31 + octaves; /* 1/2 <= v < 1 is the highest, octaves - 1 */
   if (octave >= octaves) return UINT16_MAX;
   if (octave < 0) return 1;
-  code = ((uint32_t)octave << m_bits) | (uint32_t)(fraction >> drop);
-  rest = fraction & ((UINT64_C(1) << drop) - 1);
-  /* v is within 2^-57: less than 2^6 in its last places */
-  close = rest <= half + 256 && rest + 256 >= half;
-  FC_TALLY(FC_DECIDE_DEPTH, close);
-  if (!close) {
-    code += rest > half;
+  code = ((uint32_t)octave << m_bits) + mantissa - (UINT32_C(1) << m_bits);
+  /* v is within 2^-24, 2^8 units of its mantissa. Where it is just off a step, either step is rounded to the same code. */
+  if (fc_abs32(over) >> (m_bits + 9) == 0) {
+    /* near / (t F) against (mantissa + 1/2) 2^(octave - octaves - m_bits), cleared of fractions: 32 + 29 bits against 18 + 30 */
+    const fc_quick no_value = {0, 0};
+    fc_wide w;
+    fc_wide_start(&w);
+    fc_wide_push64(&w, (int64_t)frame->depth_near << (octaves - octave + m_bits + 1));
+    fc_wide_push64(&w, -(int64_t)(2 * mantissa + 1) * frame->view.focal);
+    fc_wide_push64(&w, 0);
+    up = fc_root_sign(root, no_value, &w, FC_DECIDE_DEPTH);
   } else {
-    /* near / (t F) against (2^m_bits + mantissa + 1/2) 2^(octave - octaves - m_bits), cleared of fractions:
-     * 32 + 29 + 1 bits against 18 + 30 */
-    uint32_t mantissa = (uint32_t)(fraction >> drop) + (UINT32_C(1) << m_bits);
-    fc_wide a, b;
-    fc_wide_from_i64(&a, frame->depth_near);
-    fc_wide_shift_left(&a, &a, (uint16_t)(octaves - octave + m_bits + 1));
-    fc_wide_from_i64(&b, (int64_t)(2 * mantissa + 1) * frame->view.focal);
-    if (fc_root_compare_ratio(root, &a, &b) >= 0) code++;
+    FC_TALLY(FC_DECIDE_DEPTH, false);
   }
+  if (up >= 0) code++;
   if (code == 0) return 1;
   return code > UINT16_MAX ? UINT16_MAX : (uint16_t)code;
 }
 
-uint32_t fc_depth_z(const fc_frame *frame, uint16_t code, int *exponent) {
+FC_COLD uint32_t fc_depth_z(const fc_frame *frame, uint16_t code, int *exponent) {
   uint8_t m_bits = (uint8_t)(16 - frame->depth_exponent_bits);
   int32_t octave = code >> m_bits, octaves = INT32_C(1) << frame->depth_exponent_bits;
   uint32_t mantissa = (UINT32_C(1) << m_bits) | (code & ((UINT32_C(1) << m_bits) - 1));

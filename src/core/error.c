@@ -21,6 +21,7 @@ const char *fc_error_text(int error) {
     case FC_ERR_FORMAT: return "unknown pixel format, field-of-view rule, depth format or offset rule";
     case FC_ERR_DIRECTION: return "a ray's direction is zero";
     case FC_ERR_BVH: return "the bounding volume hierarchy does not belong to the scene";
+    case FC_ERR_PROFILE: return "unknown profile or field";
   }
   return "unknown error";
 }

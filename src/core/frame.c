@@ -15,9 +15,9 @@ struct aligned_i64 {
   int64_t value;
 };
 
-static bool aligned(const void *memory) { return (uintptr_t)memory % offsetof(struct aligned_i64, value) == 0; }
+static FC_COLD bool aligned(const void *memory) { return (uintptr_t)memory % offsetof(struct aligned_i64, value) == 0; }
 
-static size_t memory_of(const fc_scene *scene) {
+static FC_COLD size_t memory_of(const fc_scene *scene) {
   fc_space space = fc_space_of_world(scene);
   fc_cursor cursor;
   fc_cursor_start(&cursor, &space);
@@ -26,7 +26,7 @@ static size_t memory_of(const fc_scene *scene) {
   return cursor.bytes + (size_t)scene->light_count * 3 * sizeof(int64_t);
 }
 
-size_t fc_frame_memory(const fc_scene *scene_rom, int *error) {
+FC_COLD size_t fc_frame_memory(const fc_scene *scene_rom, int *error) {
   fc_scene scene;
   int status = fc_scene_check(scene_rom);
   if (error != NULL) *error = status;
@@ -36,7 +36,7 @@ size_t fc_frame_memory(const fc_scene *scene_rom, int *error) {
 }
 
 /* The finest grid on which the farthest finite geometry has coordinates below 2^30 - 16. */
-static void choose_grid(fc_frame *frame) {
+static FC_COLD void choose_grid(fc_frame *frame) {
   fc_num most = fc_num_from_u64(1, 0);
   fc_space space = fc_space_of_world(&frame->scene);
   fc_cursor cursor;
@@ -52,14 +52,14 @@ static void choose_grid(fc_frame *frame) {
   frame->view.shift = (int16_t)(shift < -30 ? -30 : shift);
 }
 
-static void place_shapes(const fc_frame *frame, unsigned char *memory) {
+static FC_COLD void place_shapes(const fc_frame *frame, unsigned char *memory) {
   fc_space space = fc_space_of_world(&frame->scene);
   fc_cursor cursor;
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) fc_kind_of(&cursor)->place(&frame->view, &cursor.group.shapes, memory + cursor.bytes);
 }
 
-static int place_lights(const fc_frame *frame, int64_t *to) {
+static FC_COLD int place_lights(const fc_frame *frame, int64_t *to) {
   uint16_t i;
   for (i = 0; i < frame->scene.light_count; i++) {
     fc_light light;
@@ -69,7 +69,7 @@ static int place_lights(const fc_frame *frame, int64_t *to) {
   return FC_OK;
 }
 
-static void measure_depth(fc_frame *frame) {
+static FC_COLD void measure_depth(fc_frame *frame) {
   uint64_t near = UINT64_MAX, far = 0;
   fc_space space = fc_space_of_frame(frame);
   fc_cursor cursor;
@@ -84,7 +84,7 @@ static void measure_depth(fc_frame *frame) {
 }
 
 /* Which hits the far limit cuts: exactly between two bounds, and by these numbers in between (scan.h). */
-static void set_far(fc_frame *frame) {
+static FC_COLD void set_far(fc_frame *frame) {
   int64_t corner[3];
   fc_num far, ratio, scale, longest;
   if (frame->scene.far_limit == 0) return;
@@ -107,7 +107,7 @@ static void set_far(fc_frame *frame) {
 }
 
 /* Whether the scan engine's light forms hold: one light, no falloff, exact shadows, within 2^30 grid units. */
-static void set_light(fc_frame *frame) {
+static FC_COLD void set_light(fc_frame *frame) {
   const uint64_t reach = (uint64_t)FC_COORDINATE_MAX;
   fc_light light;
   uint16_t intensity[3];
@@ -128,7 +128,7 @@ static void set_light(fc_frame *frame) {
 }
 
 /* What the kinds keep for the scan engine. */
-static void project_shapes(const fc_frame *frame) {
+static FC_COLD void project_shapes(const fc_frame *frame) {
   fc_space space = fc_space_of_world(&frame->scene);
   fc_cursor cursor;
   fc_cursor_start(&cursor, &space);
@@ -136,16 +136,25 @@ static void project_shapes(const fc_frame *frame) {
     fc_kind_of(&cursor)->project(frame, &cursor.group.shapes, (unsigned char *)frame->memory + cursor.bytes);
 }
 
-static int check_options(const fc_options *options) {
+/* Steps twice as long over half as many pixels: directions stay as large as they are. */
+static FC_COLD void halve(fc_frame *frame) {
+  frame->odd = (uint8_t)((frame->width & 1) | (frame->height & 1) << 1);
+  frame->width = (uint16_t)((frame->width + 1) / 2);
+  frame->height = (uint16_t)((frame->height + 1) / 2);
+  frame->view.pixel_shift++;
+}
+
+static FC_COLD int check_options(const fc_options *options) {
   if (options->offset_rule > FC_OFFSET_NONE) return FC_ERR_FORMAT;
   if (options->depth_exponent_bits != 0 && (options->depth_exponent_bits < 2 || options->depth_exponent_bits > 4))
     return FC_ERR_FORMAT;
+  if (options->profile > FC_PROFILE_INTERLACED) return FC_ERR_PROFILE;
   if (options->epsilon < 0 || options->epsilon > FC_COORDINATE_MAX) return FC_ERR_COORDINATE;
   if (options->epsilon_exponent < -31 || options->epsilon_exponent > 31) return FC_ERR_EXPONENT;
   return FC_OK;
 }
 
-int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *camera_rom, const fc_options *options,
+FC_COLD int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *camera_rom, const fc_options *options,
                    uint16_t width, uint16_t height, void *memory, size_t memory_bytes) {
   fc_camera camera;
   size_t bytes;
@@ -167,6 +176,7 @@ int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *came
   frame->height = height;
   error = fc_view_from_camera(&frame->view, &camera, width, height);
   if (error != FC_OK) return error;
+  if (frame->options.profile == FC_PROFILE_HALF) halve(frame);
   choose_grid(frame);
   if (bytes > 0) {
     size_t shape_bytes = bytes - (size_t)frame->scene.light_count * 3 * sizeof(int64_t);

@@ -89,8 +89,8 @@ struct fc_kind {
   void (*place)(const fc_view *view, const fc_shapes *shapes, void *memory);
   void (*fetch)(const fc_group *group, uint16_t index, fc_form *form);
   void (*prepare)(const fc_form *form, const int64_t origin[3], fc_prepared *prepared);
-  /* Roots with t > 0, ascending: 0, 1 or 2 of them. |direction| components below 2^30. */
-  uint8_t (*test)(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]);
+  /* How many roots with t > 0: 0, 1 or 2, and the first of them; the second has q = 1 instead. |direction| components below 2^30. */
+  uint8_t (*test)(const fc_prepared *prepared, const int64_t direction[3], fc_root *root);
   /* Whether the open segment meets the form. */
   bool (*blocked)(const fc_form *form, const fc_segment *segment);
   /* Whether the side of the form that the origin sees faces the light. */
@@ -98,8 +98,8 @@ struct fc_kind {
   /* A vector along the normal at a point, and whether the origin is on its far side (for spheres the root says that:
    * the far one is seen from inside). */
   bool (*normal)(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t normal[3]);
-  /* Moves a rounded point to the origin's side by its exact residual. */
-  void (*step_off)(const fc_form *form, bool inside, int64_t point[3]);
+  /* The side of the surface that a point is on: 1 where the normal points to, 0 on it, -1. Points below 2^62. */
+  int8_t (*side)(const fc_form *form, const int64_t point[3]);
   /* Barycentric weights of a hit, Q30; NULL where there are none. */
   void (*weights)(const fc_prepared *prepared, const int64_t direction[3], uint32_t weight_q30[3]);
   /* Widens *near .. *far to the camera z at which the table can be seen; *near 0: may reach the eye's plane;

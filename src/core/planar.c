@@ -31,7 +31,7 @@ static uint64_t reach_of(int64_t at, int64_t dx, int64_t dy, const fc_scan *scan
 }
 
 /* W and the cosine's numerator over the tile; false when W is so small that its cuts would tell. */
-static bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
+static FC_COLD bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
   const int64_t *n = planar->normal, *light = scan->frame->lights;
   int64_t d[3], step, nd, ndx, ndy, at[3], dx[3], dy[3];
   fc_quick factor;
@@ -73,78 +73,83 @@ static bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
   return true;
 }
 
-uint8_t fc_ball_to_plane(const int64_t n[3], int64_t a, int64_t radius) {
-  /* (k - n.C)^2 against r^2 n.n: below 2^124 and 2^122 */
-  fc_i128 have = fc_i128_mul(a, a), touch = fc_i128_mul(radius * radius, fc_small_dot(n, n));
-  if (fc_i128_compare(have, touch) >= 0) return FC_BALL_CLEAR;
-  /* a >= r |n| (1 - 2^-12) if a^2 >= r^2 n^2 (1 - 2^-12) */
-  touch = fc_i128_sub(touch, fc_i128_floor_shift(touch, 12));
-  return fc_i128_compare(have, touch) >= 0 ? FC_BALL_DIPS : FC_BALL_CUTS;
+FC_COLD int64_t fc_ball_foot(const int64_t n[3], const int32_t unit[3], int64_t above, const int64_t center[3], int64_t radius,
+                             int64_t foot[3]) {
+  /* |n| below 2^31 and at least 1, so 1 / |n| times |above| is within 2^-25 and 1: 2^-24 r + 2 where it is about r */
+  int64_t square = fc_small_dot(n, n), margin = fc_ball_margin(radius), dip;
+  int64_t rise = fc_quick_times(fc_quick_rsqrt(fc_quick_from((uint64_t)square, 0)), above, 0); /* INT32_MAX: farther */
+  uint8_t i;
+  for (i = 0; i < 3; i++) foot[i] = center[i] + fc_floor_shift64(unit[i] * rise, 30); /* 31 + 31 bits */
+  dip = radius - (int64_t)fc_abs64(rise) + margin;
+  if (dip > 0 && dip <= 2 * margin) {
+    /* balls rest on planes: above^2 against r^2 n.n, below 2^124 and 2^122 */
+    fc_i128 have = fc_i128_mul(above, above), touch = fc_i128_mul(radius * radius, square);
+    if (have.hi != touch.hi ? have.hi > touch.hi : have.lo >= touch.lo) return 0;
+  }
+  return dip;
 }
 
-bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
-                          fc_window *doubt) {
+FC_COLD bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
+                                  fc_window *doubt) {
   const int64_t *n = receiver->normal;
-  int64_t above = receiver->k - fc_small_dot(n, center), t[3], to_light[3]; /* 62 and 61 bits */
-  fc_num length, r = fc_num_from_u64((uint64_t)radius, 0), rise, dip, reach, foot;
+  int64_t above = receiver->k - fc_small_dot(n, center), t[3], to_light[3], margin = fc_ball_margin(radius), dip, reach;
+  fc_quick lever;
   uint8_t i;
-  bool front = above > 0;
   doubt->x0 = doubt->y0 = 1;
   doubt->x1 = doubt->y1 = 0;
-  if ((int64_t)fc_abs64(above) > receiver->slack) {
-    uint8_t how = fc_ball_to_plane(n, (int64_t)fc_abs64(above) - receiver->slack, radius);
-    if (how == FC_BALL_CLEAR) return front;
-    if (how == FC_BALL_DIPS && front) {
-      /* |L - T| / h below 2^q; the reach is then below r / 16 + 2^(q + 1) 2^-12 r */
-      int16_t q;
-      for (i = 0; i < 3; i++) {
-        t[i] = center[i] + fc_floor_shift64((int64_t)receiver->unit[i] * radius, 30);
-        to_light[i] = t[i] - scan->frame->lights[i];
-      }
-      q = (int16_t)(fc_vector_bits(to_light) + 1 + fc_vector_bits(n) + 1 - fc_bits64(fc_abs64(receiver->height)) + 1);
-      if (receiver->slack != 0) q++; /* the height's own, where it is more than twice that */
-      if (q <= 7 && (int64_t)fc_abs64(receiver->height) > 2 * receiver->slack) {
-        (void)fc_ball_window(scan->frame, t, (radius >> 4) + (radius >> (11 - (q < 0 ? 0 : q))) + 4, doubt);
-        return true;
-      }
+  dip = fc_ball_foot(n, receiver->unit, above, center, radius, t);
+  if (receiver->slack != 0) {
+    /* |n| is at least 2^29 then: the exact plane lies within 16 */
+    dip += 17;
+    margin += 17;
+  }
+  if (dip <= 0) return above > 0; /* clear of the plane */
+  if (above <= 0) dip = 2 * (radius + margin) - dip;
+  for (i = 0; i < 3; i++) to_light[i] = t[i] - scan->frame->lights[i]; /* below 2^33 */
+  if (receiver->height > 2 * receiver->slack && fc_vector_bits(t) <= 30) {
+    /* 2 dip |L - T| / (h / |n|), twice that for the height's own slack; the sum of three axes is more than the length */
+    lever = fc_quick_mul(fc_quick_from((uint64_t)dip, receiver->slack != 0 ? 2 : 1),
+                         fc_quick_from((uint64_t)fc_small_norm1(to_light), 0));
+    lever = fc_quick_mul(lever, fc_quick_recip(fc_quick_from((uint64_t)receiver->height, 0)));
+    lever = fc_quick_mul(lever, fc_quick_from((uint64_t)fc_small_norm1(n), 0));
+    if (lever.e <= 0) {
+      /* 31 + 32 bits; lever below 2^32 and within 2^-24; T within 2 margin + 1 an axis */
+      reach = 2 * ((int64_t)fc_sqrt64(2 * (uint64_t)(radius * dip)) + 1) + (int64_t)fc_quick_to_u64(lever);
+      (void)fc_ball_window(scan->frame, t, reach + (reach >> 24) + 4 * margin + 4, doubt);
+      return true;
     }
   }
-  length = fc_length(n);
-  rise = fc_num_div(fc_num_from_u64(fc_abs64(above), 0), length); /* of the center over the plane, or below it */
-  if (front)
-    dip = fc_num_compare(r, rise) > 0 ? fc_num_sub(r, rise) : fc_num_from_u64(0, 0);
-  else
-    dip = fc_num_add(r, rise);
-  /* the values' errors, and what a cut normal may move */
-  dip = fc_num_add(dip, fc_num_scale(r, -40));
-  dip = fc_num_add(dip, fc_num_div(fc_num_from_u64((uint64_t)receiver->slack, 0), length));
-  /* T = C + n (k - n.C) / n.n, rounded */
-  foot = fc_num_div(rise, length);
-  for (i = 0; i < 3; i++) {
-    int64_t move = (int64_t)fc_num_round(fc_num_mul(foot, fc_num_from_u64(fc_abs64(n[i]), 0)), 0);
-    t[i] = center[i] + ((n[i] < 0) == front ? -move : move);
-    to_light[i] = t[i] - scan->frame->lights[i];
-  }
-  reach = fc_num_scale(fc_num_sqrt(fc_num_mul(fc_num_scale(r, 1), dip)), 1);
-  foot = fc_num_mul(fc_num_mul(dip, fc_length(to_light)), length);
-  if ((int64_t)fc_abs64(receiver->height) <= 2 * receiver->slack) {
-    reach = fc_num_from_u64(1, 32); /* the light all but in the plane */
-  } else {
-    /* twice, for the height's own slack */
-    foot = fc_num_div(foot, fc_num_from_u64(fc_abs64(receiver->height), 0));
-    reach = fc_num_add(reach, fc_num_scale(foot, 2));
-  }
-  if (fc_num_compare(reach, fc_num_from_u64(1, 31)) >= 0 || fc_vector_bits(t) > 30) {
-    doubt->x0 = doubt->y0 = 0; /* everywhere */
-    doubt->x1 = scan->frame->width - 1;
-    doubt->y1 = scan->frame->height - 1;
-  } else {
-    (void)fc_ball_window(scan->frame, t, (int64_t)fc_num_round(reach, 0) + 4, doubt);
-  }
+  doubt->x0 = doubt->y0 = 0; /* everywhere */
+  doubt->x1 = scan->frame->width - 1;
+  doubt->y1 = scan->frame->height - 1;
   return true;
 }
 
-void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder) {
+/* Where the ray through a pixel of the tile meets the plane (its normal is not cut); false when it doesn't, or too far away. */
+static bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
+  static const int64_t eye[3] = {0, 0, 0};
+  int64_t d[3], nd;
+  fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
+  fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
+  nd = fc_small_dot(planar->normal, d);
+  return nd > 0 && fc_point_at(fc_num_div(k, fc_num_from_u64((uint64_t)nd, 0)), eye, d, point);
+}
+
+FC_COLD bool fc_planar_blocked(const fc_scan *scan, const fc_planar *receiver, uint16_t row, uint16_t column, const fc_kind *kind,
+                               const fc_form *occluder) {
+  int64_t wide[3];
+  if (kind->hides != NULL && receiver->slack == 0 && foot(scan, receiver, row, column, wide) && fc_vector_bits(wide) <= 30) {
+    int32_t point[3];
+    int8_t hides;
+    uint8_t i;
+    for (i = 0; i < 3; i++) point[i] = (int32_t)wide[i];
+    hides = kind->hides(occluder, scan->frame->lights, point, 1);
+    if (hides >= 0) return hides > 0;
+  }
+  return fc_scan_blocked(scan, row, column, kind, occluder);
+}
+
+FC_COLD void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder) {
   uint16_t row, column;
   for (row = scan->first_row; row <= scan->last_row; row++)
     for (column = 0; column < scan->columns; column++) {
@@ -158,7 +163,7 @@ typedef struct caster {
   const fc_planar *planar;
 } caster;
 
-static bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
+static FC_COLD bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
   const caster *c = context;
   fc_form form;
   if ((uint16_t)(at->group.first + index) == c->scan->primitive) return false;
@@ -166,16 +171,6 @@ static bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
   fc_kind_of(at)->fetch(&at->group, index, &form);
   fc_kind_of(at)->shadow(c->scan, c->planar, fc_kind_of(at), &form);
   return false;
-}
-
-/* Where the ray through a pixel of the tile meets the plane (its normal is not cut); false when it doesn't, or too far away. */
-static bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
-  static const int64_t eye[3] = {0, 0, 0};
-  int64_t d[3], nd;
-  fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
-  fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
-  nd = fc_small_dot(planar->normal, d);
-  return nd > 0 && fc_point_at(fc_num_div(k, fc_num_from_u64((uint64_t)nd, 0)), eye, d, point);
 }
 
 /* First and last pixel of a row's mask; false when it is empty. */
@@ -195,7 +190,7 @@ static bool row_ends(const fc_scan *scan, uint16_t row, uint16_t ends[2]) {
 /* Corners around the points of the plane that a tile's mask shows: those of the mask's rectangle; where they lie beyond the
  * horizon, the ends of its rows. Lines of pixels are lines on the plane, so hulls are hulls. Returns their number, 0 where
  * they are too far away. */
-static FC_NOINLINE uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, int64_t points[6 * FC_SCAN_ROWS]) {
+static FC_COLD uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, int64_t points[6 * FC_SCAN_ROWS]) {
   uint16_t row, ends[2], left = UINT16_MAX, right = 0, top = 0, bottom = 0;
   uint8_t count = 0, i;
   for (row = 0; row < scan->rows; row++) {
@@ -218,7 +213,7 @@ static FC_NOINLINE uint8_t find_hull(const fc_scan *scan, const fc_planar *plana
 }
 
 /* Hands those who may stand between the light and the hull to cast_one. */
-static void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners) {
+static FC_COLD void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners) {
   fc_space space = fc_space_of_frame(scan->frame);
   caster c;
   fc_reach reach;
@@ -232,7 +227,7 @@ static void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hul
   (void)fc_space_search(&space, corners > 0 ? &reach : NULL, cast_one, &c);
 }
 
-static FC_NOINLINE void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
+static FC_COLD void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
   int64_t points[6 * FC_SCAN_ROWS];
   cast_from(scan, planar, points, find_hull(scan, planar, points));
 }
@@ -263,21 +258,47 @@ typedef struct cosine_row {
   int32_t g;
 } cosine_row;
 
-static void start_row(const fc_planar *planar, const cosine *g, uint16_t row, uint16_t column, cosine_row *r) {
-  /* components below 2^30: sums of three products below 2^62, q below 2^32; over 128 columns the rounded differences add up
-   * to an error below 2^14 */
-  int64_t square = 0, cross = 0, step = 0;
+/* W.W and its differences at the first column of a row, exact: components below 2^30, so sums of three products below 2^62 in the
+ * tile; what wraps is not looked at there. */
+typedef struct square_form {
+  uint64_t at, dx, dxx; /* value, difference to the next column, its difference */
+  uint64_t dy, dyy, dxy;
+} square_form;
+
+static FC_NOINLINE uint64_t dot32(const int32_t a[3], const int32_t b[3]) {
+  uint64_t sum = 0;
   uint8_t i;
-  for (i = 0; i < 3; i++) {
-    int32_t w = planar->w.at[i] + column * planar->w.dx[i] + row * planar->w.dy[i], dw = planar->w.dx[i];
-    square += fc_smul32(w, w);
-    if (dw == 0) continue;
-    cross += fc_smul32(w, dw);
-    step += fc_smul32(dw, dw);
+  for (i = 0; i < 3; i++)
+    if (b[i] != 0) sum += (uint64_t)fc_smul32(a[i], b[i]);
+  return sum;
+}
+
+static void set_square(const fc_sheaf *w, square_form *s) {
+  uint64_t xx = dot32(w->dx, w->dx), yy = dot32(w->dy, w->dy);
+  s->at = dot32(w->at, w->at);
+  s->dx = 2 * dot32(w->at, w->dx) + xx;
+  s->dy = 2 * dot32(w->at, w->dy) + yy;
+  s->dxx = 2 * xx;
+  s->dyy = 2 * yy;
+  s->dxy = 2 * dot32(w->dx, w->dy);
+}
+
+static inline void next_row(square_form *s) {
+  s->at += s->dy;
+  s->dy += s->dyy;
+  s->dx += s->dxy;
+}
+
+static void start_row(const square_form *s, const cosine *g, uint16_t row, uint16_t column, cosine_row *r) {
+  /* q below 2^32; over 128 columns the rounded differences add up to an error below 2^14 */
+  uint64_t at = s->at, dx = s->dx;
+  if (column != 0) {
+    at += fc_times(dx + fc_times(s->dxx >> 1, (uint16_t)(column - 1u)), column); /* dxx is even */
+    dx += fc_times(s->dxx, column);
   }
-  r->q = (uint32_t)((uint64_t)square >> 30);
-  r->dq = (uint32_t)(uint64_t)fc_floor_shift64(2 * cross + step, 30);
-  r->ddq = (uint32_t)(uint64_t)fc_floor_shift64(2 * step, 30);
+  r->q = (uint32_t)(at >> 30);
+  r->dq = (uint32_t)(dx >> 30); /* 34 bits are left: the sign's too */
+  r->ddq = (uint32_t)(s->dxx >> 30);
   r->g = g->at + column * g->dx + row * g->dy;
 }
 
@@ -296,7 +317,7 @@ static inline uint32_t cosine_of(uint32_t q, int32_t g) {
 }
 
 /* Lights the pixels in `bits` from where the forms stand. */
-static FC_NOINLINE void shade_run(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
+static FC_HOT void shade_run(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
                                   uint32_t bits, uint8_t *restrict to,
                                   uint8_t pixel_bytes) {
   for (; count != 0; count--, bits >>= 1, to += pixel_bytes) {
@@ -308,13 +329,12 @@ static FC_NOINLINE void shade_run(const fc_tint *restrict tint, cosine_row *rest
 }
 
 /*
- * The same 2^s pixels at a time, levels in between by the chord. The cosine is a component of the unit vector W / |W|. W
- * moves along a line at a distance h from 0, seen under an angle a from its nearest point: the unit vector bends by
- * (|dW| / h)^2 cos^3 a sqrt(cos^2 a + 4 sin^2 a), at most (|dW| / h)^2 a column, and a chord over m columns is off by at most
- * m^2 / 8 of that: 2^-8, a quarter of a level in 63, when h^2 >= 32 m^2 |dW|^2. Up to 32 columns from where the forms stand
- * h^2 >= |W|^2 - 32^2 |dW|^2, so q >= (16 m^2 + 512) ddq is enough (ddq is twice |dW|^2): 576, 768, 1536 for m = 2, 4, 8.
+ * The same 2^s pixels at a time, levels in between by the chord. The cosine is a component of the unit vector W / |W|, and W moves
+ * along a line. Seen under an angle a from the line's nearest point the unit vector bends by
+ * (|dW| / |W|)^2 cos a sqrt(cos^2 a + 4 sin^2 a) a column, at most 1.16 (|dW| / |W|)^2. A chord over m columns is off by at most
+ * m^2 / 8 of that: 2^-8, a quarter of a level in 63, when |W| >= 6.1 m |dW| at its least; ddq is twice |dW|^2.
  */
-static FC_NOINLINE void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
+static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
                                      uint32_t bits, uint8_t *restrict to, uint8_t s) {
   /* s steps at once: q by m dq + m (m - 1) / 2 ddq */
   const uint32_t q_bend = (r->ddq << (2 * s - 1)) - (r->ddq << (s - 1)), chunk = (UINT32_C(1) << (1 << s)) - 1;
@@ -353,45 +373,42 @@ static FC_NOINLINE void shade_chords(const fc_tint *restrict tint, cosine_row *r
   }
 }
 
-/* The longest chords that are good enough where the forms stand: 2^s pixels; 0: none. 640, 1280 and 5120 times ddq. */
-static uint8_t chord_of(const cosine_row *r) {
-  uint32_t q = r->q >> 8, least = r->ddq + (r->ddq >> 2); /* 320 = 256 * 5 / 4 */
-  return q >> 4 >= least ? 3 : q >> 2 >= least ? 2 : q >> 1 >= least ? 1 : 0;
+/* The least q of the columns from where the forms stand to n on: q is a parabola, so it falls by n |dq| / 2 at most where it
+ * rises again at the end, and by what its differences add up to where it does not. */
+static uint32_t least_square(const cosine_row *r, uint8_t n) {
+  uint32_t fall = 0u - r->dq;
+  uint64_t drop; /* below 2^38 */
+  if (fc_to_i32(r->dq) >= 0) return r->q;
+  drop = fc_mul32(fall, n);
+  if (fc_mul32(r->ddq, n) >= fall)
+    drop = (drop >> 1) + 1;
+  else
+    drop -= fc_mul32(r->ddq, (uint32_t)n * (n - 1u) / 2); /* n |dq| > n^2 ddq */
+  return drop < r->q ? r->q - (uint32_t)drop : 0;
 }
 
-/* Whether an affine form is beyond +-2^27 throughout. */
-static bool beyond(int32_t at, int32_t x, int32_t y) {
-  int32_t low = at + (x < 0 ? x : 0) + (y < 0 ? y : 0), high = at + (x > 0 ? x : 0) + (y > 0 ? y : 0);
-  return low >= INT32_C(1) << 27 || high <= -(INT32_C(1) << 27);
+/* The longest chords that are good enough for q from `least` on: 2^s pixels; 0: none. 6.1^2 m^2 / 2 = 1191, 298, 75. */
+static uint8_t chord_of(uint32_t least, uint32_t ddq) {
+  uint32_t q = least >> 8;
+  return q >> 2 >= ddq + (ddq >> 2) ? 3 : q >> 1 >= ddq ? 2 : q >= ddq ? 1 : 0;
 }
 
-/* Whether |W| is at least 2^27 in some rows, so that q is at least 2^24 and its error, 2^14, costs the cosine 2^-11 of
- * itself: true when an axis of W or n.W, the numerator, says so. */
-static bool wide_enough(const fc_scan *scan, const fc_planar *planar, const cosine *g, uint16_t row, uint16_t rows) {
-  const fc_sheaf *w = &planar->w;
-  const int32_t right = scan->columns - 1, down = rows - 1;
-  uint8_t i;
-  for (i = 0; i < 3; i++)
-    if (beyond(w->at[i] + w->dy[i] * row, w->dx[i] * right, w->dy[i] * down)) return true;
-  return beyond(g->at + g->dy * row, g->dx * right, g->dy * down);
-}
-
-static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
+static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
+  /* chords twice as long are off four times as far: 2^-6 of a cosine, four levels in 255 */
+  const uint8_t fast = fc_scan_guesses(scan);
+  square_form square;
   uint16_t row;
   uint8_t word;
-  const bool wide = wide_enough(scan, planar, g, 0, scan->rows);
-  for (row = scan->first_row; row <= scan->last_row; row++) {
+  set_square(&planar->w, &square);
+  for (row = 0; row <= scan->last_row; row++, next_row(&square)) {
     cosine_row forms = {0, 0, 0, 0};
     uint16_t next = UINT16_MAX, column = 0; /* the column that the forms stand at */
-    if (!wide && !wide_enough(scan, planar, g, row, 1)) {
-      for (word = 0; word < scan->words; word++)
-        fc_scan_shade_slowly(scan, row, (uint16_t)(32 * word), scan->mask[row * scan->words + word]);
-      continue;
-    }
+    if (row < scan->first_row) continue;
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word];
       uint16_t at = column;
       uint8_t count = 32, chord;
+      uint32_t least = 0;
       if (bits == 0) continue;
       while (!(bits & 1)) {
         bits >>= 1;
@@ -402,9 +419,21 @@ static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
         count = 0;
         while (bits >> count != 0) count++;
       }
-      if (at != next || word % 4 == 0) start_row(planar, g, row, at, &forms);
+      /* q is within 2^14, which costs the cosine 2^-11 of itself from 2^24 on; where the forms were just set up it is within
+       * 2^10, and 2^20 is enough. A chord's end may lie 15 columns further. */
+      if (at == next && word % 4 != 0) least = least_square(&forms, (uint8_t)(count + 14));
+      if (at != next || word % 4 == 0 || least < UINT32_C(1) << 24) {
+        start_row(&square, g, row, at, &forms);
+        least = least_square(&forms, (uint8_t)(count + 14));
+      }
+      if (least < UINT32_C(1) << 20) {
+        fc_scan_shade_slowly(scan, row, at, bits);
+        next = UINT16_MAX;
+        continue;
+      }
       fc_scan_lit(scan, row, at, bits);
-      chord = scan->tint.plain ? chord_of(&forms) : 0;
+      chord = scan->tint.plain ? chord_of(least, forms.ddq) : 0;
+      if (chord != 0) chord = (uint8_t)(chord + fast);
       if (chord != 0) {
         shade_chords(&scan->tint, &forms, g->dx, count, bits, fc_scan_pixel(scan, row, at), chord);
         next = count % (1 << chord) == 0 ? (uint16_t)(at + count) : UINT16_MAX;
@@ -431,13 +460,13 @@ static void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t norm
   planar->height = planar->k - fc_small_dot(planar->normal, scan->frame->lights);
 }
 
-int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]) {
+FC_COLD int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]) {
   int64_t side = planar->k - fc_small_dot(planar->normal, p);
   if (planar->slack == 0 || (int64_t)fc_abs64(side) > planar->slack) return fc_sign64(side);
   return fc_i128_sign(fc_i128_sub(planar->exact_k, fc_i128_dot(planar->exact, p))); /* 63 + 30 bits */
 }
 
-void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
+FC_COLD void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
   fc_planar planar;
   cosine g = {0, 0, 0};
   uint16_t row;

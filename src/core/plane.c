@@ -5,11 +5,11 @@
 #include "scan_kinds.h"
 #include "view.h"
 
-static void read_item(const fc_shapes *shapes, uint16_t index, fc_plane *plane) {
+static FC_COLD void read_item(const fc_shapes *shapes, uint16_t index, fc_plane *plane) {
   FC_READ(plane, (const fc_plane *)shapes->items + index, sizeof *plane);
 }
 
-static int check(const fc_scene *scene, const fc_shapes *shapes) {
+static FC_COLD int check(const fc_scene *scene, const fc_shapes *shapes) {
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
     fc_plane p;
@@ -24,23 +24,23 @@ static int check(const fc_scene *scene, const fc_shapes *shapes) {
   return FC_OK;
 }
 
-static size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_plane); }
+static FC_COLD size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_plane); }
 
-static void normal_of(const fc_plane *p, int64_t n[3]) {
+static FC_COLD void normal_of(const fc_plane *p, int64_t n[3]) {
   n[0] = p->normal.x;
   n[1] = p->normal.y;
   n[2] = p->normal.z;
 }
 
 /* k of the plane relative to the eye, in units of 2^-fine: -d - normal . eye; 30+32+31 bits and 30+61+2: below 2^94. */
-static fc_i128 offset_from_eye(const fc_view *view, const fc_plane *p) {
+static FC_COLD fc_i128 offset_from_eye(const fc_view *view, const fc_plane *p) {
   int64_t n[3];
   fc_i128 d = fc_i128_shift_left(fc_i128_from(p->d), (uint8_t)(p->d_exponent + view->fine));
   normal_of(p, n);
   return fc_i128_neg(fc_i128_add(d, fc_i128_dot(n, view->eye)));
 }
 
-static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
+static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   fc_num most = {0, 0};
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
@@ -55,7 +55,7 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   return most;
 }
 
-static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
+static FC_COLD void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   fc_placed_plane *placed = to;
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
@@ -81,7 +81,7 @@ static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   }
 }
 
-static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
+static FC_COLD void fetch(const fc_group *group, uint16_t index, fc_form *form) {
   fc_plane p;
   read_item(&group->shapes, index, &p);
   form->material = p.material;
@@ -101,43 +101,42 @@ static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
   }
 }
 
-static void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
+static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
   /* 62 bits and 30 + 30 + 2: below 2^63 */
   const int64_t *n = form->u.plane.normal;
   prepared->u.plane.normal[0] = n[0];
   prepared->u.plane.normal[1] = n[1];
   prepared->u.plane.normal[2] = n[2];
-  prepared->u.plane.side = form->u.plane.k - (n[0] * origin[0] + n[1] * origin[1] + n[2] * origin[2]);
+  prepared->u.plane.side = form->u.plane.k - fc_dot(n, origin);
 }
 
-static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
+static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root *root) {
   /* t = side / (normal . direction): 30 + 30 + 2 bits */
   const int64_t *n = prepared->u.plane.normal;
   int64_t side = prepared->u.plane.side;
-  int64_t along = n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2];
+  int64_t along = fc_dot(n, direction);
   if (fc_sign64(side) * fc_sign64(along) <= 0) return 0;
-  root[0].p = fc_i128_from_u64(fc_abs64(side));
-  root[0].m = fc_i128_from_u64(fc_abs64(along));
-  root[0].d = root[0].c = fc_i128_from(0);
-  root[0].q = 0;
+  root->p = fc_i128_from_u64(fc_abs64(side));
+  root->m = fc_i128_from_u64(fc_abs64(along));
+  root->d = root->c = fc_i128_from(0);
+  root->q = 0;
   return 1;
 }
 
-static int8_t side_of_light(const fc_form *form, const fc_segment *segment) {
-  return fc_i128_sign(fc_i128_sub(fc_i128_from(form->u.plane.k), fc_i128_dot(form->u.plane.normal, segment->light)));
+static FC_COLD int8_t side(const fc_form *form, const int64_t point[3]) {
+  return fc_i128_sign(fc_i128_sub(fc_i128_dot(form->u.plane.normal, point), fc_i128_from(form->u.plane.k)));
 }
 
-static bool blocked(const fc_form *form, const fc_segment *segment) {
-  int8_t light = side_of_light(form, segment);
-  if (light == 0) return false;
-  return fc_side_of_point(segment, form->u.plane.normal, fc_i128_from(form->u.plane.k)) == -light;
+static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
+  int8_t light = side(form, segment->light);
+  return light != 0 && fc_side_of_point(segment, form->u.plane.normal, fc_i128_from(form->u.plane.k)) == light;
 }
 
-static bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
-  return fc_sign64(prepared->u.plane.side) * side_of_light(form, segment) > 0;
+static FC_COLD bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
+  return fc_sign64(prepared->u.plane.side) * side(form, segment->light) < 0;
 }
 
-static bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
+static FC_COLD bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
   (void)point;
   n[0] = form->u.plane.normal[0];
   n[1] = form->u.plane.normal[1];
@@ -145,49 +144,43 @@ static bool normal(const fc_form *form, const fc_prepared *prepared, const int64
   return prepared->u.plane.side > 0; /* k - n.O > 0: the origin is behind */
 }
 
-static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
-  fc_step_off_plane(form->u.plane.normal, fc_i128_from(form->u.plane.k), inside, point);
+/* |k| F / along, which is z; within 2^-24. */
+static FC_COLD uint64_t z_at(const fc_frame *frame, int64_t k, int64_t along) {
+  fc_quick z = fc_quick_mul(fc_quick_from(fc_abs64(k), 0), fc_quick_recip(fc_quick_from((uint64_t)along, 0)));
+  z = fc_quick_mul(z, fc_quick_from((uint64_t)frame->view.focal, 0));
+  return z.e > 30 ? UINT64_MAX / 2 : fc_quick_to_u64(z);
 }
 
-static bool item_range(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far) {
-  /* 1/z is affine in the pixel, so the corner pixels hold its extremes; a corner that misses means the horizon
-   * is in view, and z has no bound. */
-
-  const int64_t origin[3] = {0, 0, 0};
-  fc_prepared prepared;
-  uint8_t i, hits = 0;
-  prepare(form, origin, &prepared);
-  for (i = 0; i < 4; i++) {
-    fc_root root[2];
-    int64_t d[3];
-    uint64_t z;
-    fc_view_direction(frame, (i & 1) ? (uint16_t)(frame->width - 1) : 0,
-                      (i & 2) ? (uint16_t)(frame->height - 1) : 0, d);
-    if (test(&prepared, d, root) == 0) continue;
-    z = fc_num_round(fc_num_mul(fc_root_value(&root[0]), fc_num_from_u64((uint64_t)d[2], 0)), 0);
-    if (hits == 0 || z < *near) *near = z;
-    if (hits == 0 || z > *far) *far = z;
-    hits++;
-  }
-  if (hits < 4) *far = UINT64_MAX;
-  if (*near > 0) *near -= 1; /* rounded */
-  return hits > 0;
-}
-
-static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
+static FC_COLD void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
   uint16_t i;
   for (i = 0; i < group->shapes.count; i++) {
+    /* 1/z is affine in the pixel, so the corner pixels (+-x, +-y, F) hold its extremes; a corner that misses means the horizon is in
+     * view, and z has no bound. */
+    int64_t reach, middle;
+    uint64_t z;
     fc_form form;
-    uint64_t low = 0, high = 0;
     fetch(group, i, &form);
-    if (!item_range(frame, &form, &low, &high)) continue;
-    if (low < *near) *near = low;
-    if (high > *far) *far = high;
+    middle = form.u.plane.normal[2] * frame->view.focal;
+    if (form.u.plane.k < 0) middle = -middle;
+    reach = (int64_t)(fc_abs64(form.u.plane.normal[0]) * (uint16_t)(frame->width - 1) +
+                      fc_abs64(form.u.plane.normal[1]) * (uint16_t)(frame->height - 1)) *
+            (INT64_C(1) << frame->view.pixel_shift);
+    if (form.u.plane.k == 0 || middle + reach <= 0) continue;
+    z = z_at(frame, form.u.plane.k, middle + reach);
+    z -= z >> 22;
+    if (z > 0) z--; /* cut */
+    if (z < *near) *near = z;
+    z = UINT64_MAX;
+    if (middle > reach) {
+      z = z_at(frame, form.u.plane.k, middle - reach);
+      z += (z >> 22) + 1;
+    }
+    if (z > *far) *far = z;
   }
 }
 
 const fc_kind fc_kind_plane FC_ROM = {
     check,    memory, extent,      place,            fetch,           prepare,       test,            blocked,        facing, normal,
-    step_off, NULL,   depth_range, fc_plane_project, fc_plane_window, fc_plane_draw, fc_plane_shadow, fc_plane_between,
+    side,     NULL,   depth_range, fc_plane_project, fc_plane_window, fc_plane_draw, fc_plane_shadow, fc_plane_between,
     fc_plane_hides,
     fc_scan_each, NULL, NULL};

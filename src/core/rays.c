@@ -33,7 +33,7 @@ static uint16_t resolve(const fc_frame *frame, const fc_space *space, uint16_t p
   return nearest;
 }
 
-int fc_render_rows_by_rays(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+FC_COLD int fc_render_rows_by_rays(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
   fc_space space;
   uint16_t px, py;
   uint8_t most[3], background[4];
@@ -78,7 +78,7 @@ static void rotate_to_world(const fc_view *view, fc_vec3 *n_q30) {
   n_q30->z = out[2];
 }
 
-int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t *lit) {
+FC_COLD int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t *lit) {
   fc_space space;
   fc_surface surface;
   int64_t d[3];
@@ -86,7 +86,11 @@ int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t
   uint32_t mask;
   uint16_t nearest;
   if (frame == NULL || hit == NULL) return FC_ERR_NULL;
-  if (x >= frame->width || y >= frame->height) return FC_ERR_SIZE;
+  if (x >= fc_view_columns(frame) || y >= fc_view_rows(frame)) return FC_ERR_SIZE;
+  if (frame->options.profile == FC_PROFILE_HALF) {
+    x /= 2;
+    y /= 2;
+  }
   space = fc_space_of_frame(frame);
   fc_view_direction(frame, x, y, d);
   nearest = fc_space_nearest(&space, eye, d, 0, UINT64_MAX, NULL);
@@ -108,7 +112,7 @@ int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t
   return 1;
 }
 
-uint16_t fc_object(const fc_frame *frame, uint16_t primitive) {
+FC_COLD uint16_t fc_object(const fc_frame *frame, uint16_t primitive) {
   fc_space space = fc_space_of_frame(frame);
   fc_cursor cursor;
   fc_form form;

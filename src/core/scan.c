@@ -15,15 +15,12 @@ static const int64_t eye[3] = {0, 0, 0}; /* camera space */
 
 /* Meets the primitive with the pixel's ray. */
 static bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_prepared *prepared, fc_root *root) {
-  fc_root roots[2];
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
   fc_kind_of(scan->at)->prepare(scan->form, eye, prepared);
-  if (fc_kind_of(scan->at)->test(prepared, d, roots) == 0) return false;
-  *root = roots[0];
-  return true;
+  return fc_kind_of(scan->at)->test(prepared, d, root) != 0;
 }
 
-bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
+FC_COLD bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
   fc_prepared prepared;
   fc_root root;
   int64_t d[3];
@@ -41,15 +38,17 @@ bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
   return true;
 }
 
-void fc_scan_slowly(fc_scan *scan) {
+FC_COLD void fc_scan_slowly(fc_scan *scan) {
   uint16_t row, column;
-  for (row = scan->first_row; row <= scan->last_row; row++)
+  for (row = scan->first_row; row <= scan->last_row; row++) {
+    if (fc_scan_skips(scan, row)) continue;
     for (column = 0; column < scan->columns; column++)
       if (fc_scan_exact(scan, row, column)) scan->mask[row * scan->words + column / 32] |= UINT32_C(1) << (column % 32);
+  }
 }
 
 /* The surface point behind a visible pixel. */
-static void surface_at(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_surface *surface) {
+static FC_COLD void surface_at(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_surface *surface) {
   surface->at = *scan->at;
   surface->form = *scan->form;
   surface->primitive = scan->primitive;
@@ -59,7 +58,7 @@ static void surface_at(const fc_scan *scan, uint16_t row, uint16_t column, int64
   fc_surface_complete(surface);
 }
 
-bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column) {
+FC_COLD bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_surface surface;
   int64_t d[3];
@@ -68,28 +67,17 @@ bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column) {
   return fc_light_reaches(scan->frame, &space, &surface, scan->frame->lights);
 }
 
-bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const fc_kind *kind, const fc_form *occluder) {
+FC_COLD bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const fc_kind *kind, const fc_form *occluder) {
   fc_surface surface;
   fc_segment segment;
   int64_t d[3];
-  uint8_t i;
   FC_TALLY(FC_DECIDE_LIT, true);
   surface_at(scan, row, column, d, &surface);
-  for (i = 0; i < 3; i++) {
-    segment.light[i] = scan->frame->lights[i];
-    segment.point[i] = surface.point[i];
-  }
-  segment.root = &surface.root;
-  segment.origin = eye;
-  segment.direction = d;
-  segment.point_error = 1;
-  segment.point_valid = surface.point_valid;
-  segment.outside = true;
-  fc_segment_prepare(&segment);
+  fc_surface_segment(&surface, scan->frame->lights, &segment);
   return kind->blocked(occluder, &segment);
 }
 
-int8_t fc_scan_far(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t p, uint32_t error) {
+FC_COLD int8_t fc_scan_far(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t p, uint32_t error) {
   /* near / z = p / 2^30 and |D| far = z |D| / F: within iff p^2 far^2 F^2 >= 2^60 near^2 |D|^2. As far_scale is
    * near^2 2^60 / (far^2 F^2) times 2^(28 - far_shift): p^2 / 2^28 against |D|^2 far_scale. */
   const fc_frame *frame = scan->frame;
@@ -113,7 +101,7 @@ int8_t fc_scan_far(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t 
 
 /* ---- depth ---- */
 
-void fc_coder_start(fc_coder *coder, const fc_frame *frame, int16_t drop, uint32_t p) {
+FC_COLD void fc_coder_start(fc_coder *coder, const fc_frame *frame, int16_t drop, uint32_t p) {
   /* p in 2^29 .. 2^30-1 with no drop is the highest octave, number 2^e_bits - 1 */
   uint8_t e_bits = frame->depth_exponent_bits, m_bits = (uint8_t)(16 - e_bits);
   int32_t octave = (INT32_C(1) << e_bits) - 1 - drop;
@@ -132,7 +120,7 @@ static bool within_far(const fc_frame *frame, int32_t low, int32_t margin, uint8
 }
 
 /* One pixel of a row that may need care: the far limit, another octave, a rounding left open. */
-static bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t column, int32_t p, uint8_t gain, uint32_t error,
+static FC_COLD bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t column, int32_t p, uint8_t gain, uint32_t error,
                          bool clip, fc_coder *coder) {
   const int32_t margin = (int32_t)error, limit = INT32_C(1) << (30 - gain);
   uint16_t *depth = fc_scan_depth(scan, row, column);
@@ -162,7 +150,7 @@ static bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t column, int
 
 /* Up to 32 pixels in one octave and within the far limit, as depth codes with 16 fraction bits, half and open / 2 added;
  * returns those shown: 1 is the first. */
-static FC_NOINLINE uint32_t affine_codes(const fc_scan *scan, uint16_t row, uint16_t column, uint8_t count, uint32_t at,
+static FC_HOT uint32_t affine_codes(const fc_scan *scan, uint16_t row, uint16_t column, uint8_t count, uint32_t at,
                                          uint32_t step, uint32_t open) {
   uint16_t *depth = fc_scan_depth(scan, row, column), *end = depth + count;
   uint32_t bits = 0, bit = 1;
@@ -180,84 +168,118 @@ static FC_NOINLINE uint32_t affine_codes(const fc_scan *scan, uint16_t row, uint
   return bits;
 }
 
-static uint32_t affine_word(const fc_scan *scan, uint16_t row, uint16_t column, uint8_t count, uint64_t at, int64_t step,
-                            uint32_t error, const fc_coder *coder) {
+/* Depth codes of pixels in one octave, with 16 fraction bits, half and open / 2 added, and the step between them. */
+typedef struct affine_form {
+  uint32_t at, step, open;
+} affine_form;
+
+static void set_codes(affine_form *form, uint64_t at, int64_t step, uint16_t count, uint32_t error, const fc_coder *coder) {
   /* p / 2^shift in 2^-16; p has 32 fraction bits, of which shift + 16 are dropped */
   const uint8_t drop = (uint8_t)(16 + coder->shift);
-  uint32_t code = (uint32_t)(at >> drop) + ((uint32_t)coder->base << 16);
-  uint32_t pace = (uint32_t)(uint64_t)fc_floor_shift64(step + (INT64_C(1) << (drop - 1)), drop);
-  /* twice: the error of p, a floor, and a half for each step's rounding */
-  uint32_t open = 2 * ((uint32_t)(((uint64_t)error << 16) >> coder->shift) + 2) + count;
-  code += 0x8000u + open / 2;
-  if (open > 0x8000u) open = 0xffffu; /* as fc_coder_open */
-  return affine_codes(scan, row, column, count, code, pace, open);
+  int64_t rounded;
+  uint32_t rest;
+  form->at = (uint32_t)(at >> drop) + ((uint32_t)coder->base << 16);
+  rounded = fc_floor_shift64(step + (INT64_C(1) << (drop - 1)), drop);
+  form->step = (uint32_t)(uint64_t)rounded;
+  /* what rounding takes from a step, at most half: 2^-8 of a unit, floored */
+  rest = (uint32_t)(fc_abs64(fc_to_i64((uint64_t)step - ((uint64_t)rounded << drop))) >> (drop - 8));
+  /* twice: the error of p, a floor, and the steps' */
+  form->open = 2 * ((uint32_t)(((uint64_t)error << 16) >> coder->shift) + 2) + ((rest + 1) * count >> 7) + 1;
+  form->at += 0x8000u + form->open / 2;
+  if (form->open > 0x8000u) form->open = 0xffffu; /* as fc_coder_open */
 }
 
-enum { RUN_HIDDEN, RUN_PLAIN, RUN_MIXED };
+/* Values of p that pixels of one kind have: hidden, missed or beyond the far limit for certain; or within it, in one octave below
+ * saturation. near / z is monotone along a row, so a run whose ends are of a kind is of that kind. */
+typedef struct affine_kind {
+  int32_t low, high;
+  bool hidden;
+} affine_kind;
 
-/* What a run of pixels is: near / z is monotone, so what holds at both ends holds in between. Hidden: missed, or beyond
- * the far limit; plain: within it, in one octave below saturation, to which the coder is set. */
-static int8_t affine_run(const fc_scan *scan, uint64_t at, int64_t step, uint8_t count, uint8_t gain, int32_t margin,
-                         bool clip, fc_coder *coder) {
-  int32_t a = fc_to_i32((uint32_t)(at >> 32)), b = fc_to_i32((uint32_t)((at + (uint64_t)step * (uint8_t)(count - 1)) >> 32));
-  int32_t low = a < b ? a : b, high = a < b ? b : a;
-  if (high < -margin) return RUN_HIDDEN;
-  if (clip) {
-    if (high < INT32_C(1) << (30 - gain) && (uint32_t)(high + margin) << gain < scan->frame->far_low) return RUN_HIDDEN;
-    if (!within_far(scan->frame, low, margin, gain)) return RUN_MIXED;
+/* The kind of a pixel with this p, to which the coder is set; false when it needs a look of its own. `hidden`: below it nothing
+ * shows, `sure`: from it on the far limit is out of play. */
+static bool kind_of(const fc_frame *frame, int32_t p, int32_t hidden, int32_t sure, fc_coder *coder, affine_kind *kind) {
+  uint32_t last;
+  kind->low = INT32_MIN;
+  kind->high = hidden - 1;
+  kind->hidden = true;
+  if (p < hidden) return true;
+  if (p < sure) return false;
+  fc_coder_follow(coder, frame, (uint32_t)p);
+  /* codes from 1 to 65533 */
+  if (coder->base < 1 || coder->base >= UINT16_MAX - 1) return false;
+  last = 2 * coder->low - 1;
+  if (coder->base + (int32_t)(last >> coder->shift) >= UINT16_MAX - 1)
+    last = ((uint32_t)(UINT16_MAX - 1 - coder->base) << coder->shift) - 1;
+  kind->low = (int32_t)coder->low > sure ? (int32_t)coder->low : sure;
+  kind->high = last > INT32_MAX ? INT32_MAX : (int32_t)last;
+  kind->hidden = false;
+  return p >= kind->low && p <= kind->high;
+}
+
+static bool of_kind(const affine_kind *kind, uint64_t at, int64_t step, uint16_t columns) {
+  int32_t p = fc_to_i32((uint32_t)((at + fc_times((uint64_t)step, columns)) >> 32));
+  return p >= kind->low && p <= kind->high;
+}
+
+/* The row's pixels from `column` on, by words. */
+static void affine_plain(fc_scan *scan, uint16_t row, uint16_t column, uint16_t count, affine_form *form) {
+  uint32_t *mask = scan->mask + row * scan->words + (column >> 5);
+  while (count != 0) {
+    uint8_t some = (uint8_t)(32 - (column & 31));
+    if (some > count) some = (uint8_t)count;
+    *mask++ |= affine_codes(scan, row, column, some, form->at, form->step, form->open) << (column & 31);
+    form->at += form->step * some;
+    column = (uint16_t)(column + some);
+    count = (uint16_t)(count - some);
   }
-  if (low <= margin) return RUN_MIXED;
-  fc_coder_follow(coder, scan->frame, (uint32_t)high);
-  return (uint32_t)low >= coder->low && coder->base >= 1 &&
-                 coder->base + (int32_t)((uint32_t)high >> coder->shift) < UINT16_MAX - 1
-             ? RUN_PLAIN
-             : RUN_MIXED;
 }
 
 void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, int64_t value, int64_t step,
                     uint8_t gain, uint32_t error) {
-  uint32_t *mask = scan->mask + row * scan->words + (first >> 5);
-  int32_t begin = fc_high_word(value), end = fc_high_word(value + step * (last - first)), margin = (int32_t)error;
-  int32_t low = begin < end ? begin : end, high = begin < end ? end : begin;
-  const int32_t limit = INT32_C(1) << (30 - gain);
+  const fc_frame *frame = scan->frame;
+  const int32_t margin = (int32_t)error;
+  int32_t hidden = -margin, sure = margin + 1;
   fc_coder coder;
-  bool clip = scan->clip_far;
   uint64_t at = (uint64_t)value;
   uint16_t column = first;
-  if (high < -margin) return;
-  if (clip) {
-    if (high < limit && (uint32_t)(high + margin) << gain < scan->frame->far_low) return;
-    if (within_far(scan->frame, low, margin, gain)) clip = false;
+  if (scan->clip_far) {
+    /* p + margin times 2^gain below far_low; p - margin above far_high, or never */
+    int32_t beyond = (int32_t)(frame->far_low >> gain) - margin, within = INT32_MAX;
+    if (frame->far_high >> 30 == 0) within = (int32_t)(frame->far_high >> gain) + margin + 1;
+    if (beyond > hidden) hidden = beyond;
+    if (within > sure) sure = within;
   }
-  fc_coder_start(&coder, scan->frame, (int16_t)-gain, high > 0 ? (uint32_t)high : 1);
+  fc_coder_start(&coder, frame, (int16_t)-gain, UINT32_C(1) << 29);
   while (column <= last) {
-    uint8_t count = (uint8_t)(32 - (column & 31)), done = 0;
-    uint32_t bits = 0, bit = UINT32_C(1) << (column & 31);
-    if (count > last - column + 1) count = (uint8_t)(last - column + 1);
-    /* a word, or where an octave or the far limit cuts it, eight pixels at a time, or one */
-    while (done < count) {
-      uint8_t chunk = (uint8_t)(count - done);
-      int8_t how = affine_run(scan, at, step, chunk, gain, margin, clip, &coder);
-      if (how == RUN_MIXED && chunk > 8) {
-        chunk = 8;
-        how = affine_run(scan, at, step, chunk, gain, margin, clip, &coder);
+    uint16_t count = (uint16_t)(last - column), part = 256; /* and one */
+    affine_kind kind;
+    bool known = kind_of(frame, fc_high_word(fc_to_i64(at)), hidden, sure, &coder, &kind);
+    if (count > 511) count = 511;
+    if (!known) {
+      uint16_t i;
+      if (count > 7) count = 7;
+      for (i = 0; i <= count; i++, at += (uint64_t)step) {
+        uint16_t x = (uint16_t)(column + i);
+        if (affine_pixel(scan, row, x, fc_high_word(fc_to_i64(at)), gain, error, scan->clip_far, &coder))
+          scan->mask[row * scan->words + x / 32] |= UINT32_C(1) << (x % 32);
       }
-      if (how == RUN_PLAIN) {
-        bits |= affine_word(scan, row, (uint16_t)(column + done), chunk, at, step, error, &coder) * bit;
-        at += (uint64_t)step * chunk;
-      } else if (how == RUN_MIXED) {
-        uint8_t i;
-        for (i = 0; i < chunk; i++, at += (uint64_t)step)
-          if (affine_pixel(scan, row, (uint16_t)(column + done + i), fc_high_word(fc_to_i64(at)), gain, error, clip, &coder))
-            bits |= bit << i;
-      } else {
-        at += (uint64_t)step * chunk;
-      }
-      bit = chunk == 32 ? 0 : bit << chunk;
-      done = (uint8_t)(done + chunk);
+      column = (uint16_t)(column + count + 1);
+      continue;
     }
+    if (!of_kind(&kind, at, step, count)) {
+      uint16_t whole = count;
+      for (count = 0; part != 0; part /= 2)
+        if (count + part < whole && of_kind(&kind, at, step, (uint16_t)(count + part))) count = (uint16_t)(count + part);
+    }
+    count++;
+    if (!kind.hidden) {
+      affine_form form;
+      set_codes(&form, at, step, count, error, &coder);
+      affine_plain(scan, row, column, count, &form);
+    }
+    at += fc_times((uint64_t)step, count);
     column = (uint16_t)(column + count);
-    *mask++ |= bits;
   }
 }
 
@@ -275,7 +297,7 @@ void fc_scan_unlit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t 
     if (bits & 1) fill(scan, to, scan->tint.unlit);
 }
 
-void fc_tint_put_any(const fc_tint *tint, uint32_t cosine, uint8_t *to) {
+FC_COLD void fc_tint_put_any(const fc_tint *tint, uint32_t cosine, uint8_t *to) {
   uint8_t level[3], i;
   for (i = 0; i < 3; i++) {
     uint32_t v = fc_tint_level(tint, i, cosine);
@@ -292,7 +314,7 @@ void fc_scan_lit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bi
     if (bits & 1) *lit = 1;
 }
 
-void fc_scan_shade_slowly(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
+FC_COLD void fc_scan_shade_slowly(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
   size_t at = (size_t)(scan->y - scan->strip + row) * scan->frame->width + scan->x + column;
   fc_space space = fc_space_of_frame(scan->frame);
   for (; bits != 0; bits >>= 1, column++, at++) {
@@ -301,6 +323,7 @@ void fc_scan_shade_slowly(const fc_scan *scan, uint16_t row, uint16_t column, ui
     uint8_t level[3];
     uint32_t lit;
     if (!(bits & 1)) continue;
+    if (scan->light == FC_LIGHT_ONE) FC_TALLY(FC_DECIDE_LIT, true); /* elsewhere no form promises to */
     surface_at(scan, row, column, d, &surface);
     fc_shade(scan->frame, &space, &surface, scan->tint.most, level, &lit);
     fc_pixel_put(scan->target->format, level, fc_scan_pixel(scan, row, column));
@@ -330,7 +353,7 @@ bool fc_scan_wants_light(const fc_scan *scan, uint16_t row, uint16_t column, uin
 }
 
 /* Reflectance times light, both Q15, in levels with FC_TINT_BITS of fraction, rounded; below 2^32 or it saturates. */
-static uint32_t levels(uint16_t reflectance, uint64_t light, uint8_t most, uint8_t down) {
+static FC_COLD uint32_t levels(uint16_t reflectance, uint64_t light, uint8_t most, uint8_t down) {
   /* 17 + 56 bits would overflow: lights that bright are cut */
   uint64_t product;
   if (light <= UINT16_MAX && reflectance <= FC_ONE_Q15) {
@@ -364,7 +387,7 @@ static bool flat_tint(const fc_frame *frame, fc_tint *tint, const fc_material *m
 }
 
 /* What the primitive's material makes of the light. */
-void fc_scan_tint(fc_scan *scan) {
+FC_COLD void fc_scan_tint(fc_scan *scan) {
   const fc_frame *frame = scan->frame;
   fc_tint *tint = &scan->tint;
   fc_material material;
@@ -407,7 +430,7 @@ void fc_scan_tint(fc_scan *scan) {
 
 /* ---- strips ---- */
 
-static void draw(fc_scan *scan, const fc_window *box, uint16_t rows) {
+static FC_COLD void draw(fc_scan *scan, const fc_window *box, uint16_t rows) {
   int32_t strip_end = (int32_t)scan->strip + rows - 1, x;
   for (x = box->x0; x <= box->x1; x += FC_SCAN_WORDS * 32) {
     int32_t columns = box->x1 - x + 1, y, end, high = FC_SCAN_ROWS;
@@ -431,7 +454,7 @@ static void draw(fc_scan *scan, const fc_window *box, uint16_t rows) {
 }
 
 /* Fills memory with a pattern of two 16-bit values, words at a time where it is aligned. */
-static void fill_pairs(uint8_t *to, size_t bytes, const uint8_t pattern[4]) {
+static FC_HOT void fill_pairs(uint8_t *to, size_t bytes, const uint8_t pattern[4]) {
   uint8_t *end = to + bytes;
   uint32_t word;
   memcpy(&word, pattern, sizeof word);
@@ -449,12 +472,13 @@ static void fill_pairs(uint8_t *to, size_t bytes, const uint8_t pattern[4]) {
   }
 }
 
-static void clear(const fc_frame *frame, const fc_target *target, uint16_t rows, uint8_t pixel_bytes) {
+FC_COLD void fc_strip_clear(const fc_frame *frame, uint16_t rows, const fc_target *target) {
   static const uint8_t zero[4] = {0, 0, 0, 0}, ones[4] = {0xff, 0xff, 0xff, 0xff};
   size_t pixels = (size_t)rows * frame->width;
   uint16_t x, y;
   uint8_t bytes[4];
-  fc_pixel_background(&frame->scene, target->format, bytes);
+  const uint8_t pixel_bytes = target->format == FC_RGB888 ? 3 : 2;
+  fc_pixel_background(&frame->scene, pixel_bytes == 3 ? FC_RGB888 : FC_RGB565_BE, bytes);
   fill_pairs((uint8_t *)target->depth, 2 * pixels, zero);
   if (target->primitive != NULL) fill_pairs((uint8_t *)target->primitive, 2 * pixels, ones);
   if (target->lit != NULL) fill_pairs((uint8_t *)target->lit, 4 * pixels, zero);
@@ -476,7 +500,7 @@ static void clear(const fc_frame *frame, const fc_target *target, uint16_t rows,
   }
 }
 
-int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+FC_COLD int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
   int pixel_bytes;
   if (frame == NULL || target == NULL || target->pixels == NULL || target->depth == NULL) return FC_ERR_NULL;
   pixel_bytes = fc_format_bytes(target->format);
@@ -487,7 +511,7 @@ int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_t
   return pixel_bytes;
 }
 
-void fc_scan_each(fc_scan *scan, uint16_t rows) {
+FC_COLD void fc_scan_each(fc_scan *scan, uint16_t rows) {
   const fc_group *group = &scan->at->group;
   const fc_kind *kind = fc_kind_of(scan->at);
   for (scan->index = 0; scan->index < group->shapes.count; scan->index++) {
@@ -503,9 +527,9 @@ void fc_scan_each(fc_scan *scan, uint16_t rows) {
   }
 }
 
-/* The other byte order. */
-static void swap_bytes(const fc_frame *frame, const fc_target *target, uint16_t rows) {
+FC_COLD void fc_strip_finish(const fc_frame *frame, uint16_t rows, const fc_target *target) {
   uint16_t x, y;
+  if (target->format != FC_RGB565_LE) return;
   for (y = 0; y < rows; y++) {
     uint8_t *at = (uint8_t *)target->pixels + y * target->pitch_bytes;
     for (x = 0; x < frame->width; x++, at += 2) {
@@ -516,28 +540,31 @@ static void swap_bytes(const fc_frame *frame, const fc_target *target, uint16_t 
   }
 }
 
-int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
-  fc_target drawn;
-  fc_space space;
+FC_COLD void fc_strip_draw(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target, uint8_t skip) {
+  fc_target drawn = *target;
+  fc_space space = fc_space_of_frame(frame);
   fc_cursor cursor;
   fc_scan scan;
-  int pixel_bytes = fc_render_check(frame, y, rows, target);
-  if (pixel_bytes < 0) return pixel_bytes;
-  space = fc_space_of_frame(frame);
   scan.frame = frame;
   /* inner loops know one order of bytes */
-  drawn = *target;
   if (target->format == FC_RGB565_LE) drawn.format = FC_RGB565_BE;
   scan.target = &drawn;
   scan.at = &cursor;
   scan.strip = y;
-  scan.pixel_bytes = (uint8_t)pixel_bytes;
+  scan.skip = skip;
+  scan.pixel_bytes = target->format == FC_RGB888 ? 3 : 2;
   scan.clip_far = frame->scene.far_limit > 0;
   fc_pixel_most(drawn.format, scan.tint.most);
   scan.tint.format = drawn.format;
-  clear(frame, &drawn, rows, scan.pixel_bytes);
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) fc_kind_of(&cursor)->strip(&scan, rows);
-  if (target->format == FC_RGB565_LE) swap_bytes(frame, target, rows);
+}
+
+FC_COLD int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+  int pixel_bytes = fc_render_check(frame, y, rows, target);
+  if (pixel_bytes < 0) return pixel_bytes;
+  fc_strip_clear(frame, rows, target);
+  fc_strip_draw(frame, y, rows, target, FC_SKIP_NONE);
+  fc_strip_finish(frame, rows, target);
   return FC_OK;
 }

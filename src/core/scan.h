@@ -54,9 +54,15 @@ struct fc_scan {
   uint8_t pixel_bytes;
   uint8_t light;       /* FC_LIGHT_... */
   bool clip_far;       /* the far limit may cut the primitive */
+  uint8_t skip;        /* rows of the frame with this parity are left out; FC_SKIP_NONE: none */
   fc_tint tint;
   uint32_t mask[FC_SCAN_WORDS]; /* bit i of word j of a row: pixel 32 j + i shows the primitive */
 };
+
+#define FC_SKIP_NONE 2
+
+/* Whether a row of the tile is left out. */
+static inline bool fc_scan_skips(const fc_scan *scan, uint16_t row) { return ((scan->y + row) & 1) == scan->skip; }
 
 /* Depth codes along a row: what changes only when near / z crosses a power of two. */
 typedef struct fc_coder {
@@ -119,6 +125,9 @@ void fc_scan_tint(fc_scan *scan);
 /* Decides a pixel by the ray engine: true when the primitive is what it shows so far; its depth is then written. */
 bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column);
 
+/* Whether the sign of a shadow's form is good enough within its error bound too. */
+static inline bool fc_scan_guesses(const fc_scan *scan) { return scan->frame->options.profile == FC_PROFILE_FAST; }
+
 /* Whether the light reaches the primitive there, by the ray engine. */
 bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column);
 
@@ -127,6 +136,12 @@ bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column);
 
 /* The checks that both engines' strips begin with: bytes of a pixel, or an error. */
 int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
+
+/* A strip's parts, after the checks: background everywhere; the rows that aren't of parity `skip`; the other byte order of
+ * FC_RGB565_LE, for which the first two write FC_RGB565_BE. */
+void fc_strip_clear(const fc_frame *frame, uint16_t rows, const fc_target *target);
+void fc_strip_draw(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target, uint8_t skip);
+void fc_strip_finish(const fc_frame *frame, uint16_t rows, const fc_target *target);
 
 /* Depth tests of a row between two columns (inclusive), near / z affine: value / 2^(62 - gain) at `first`, off by at
  * most error / 2^(30 - gain); pixels with a value below 0 are missed, the others hit for certain. Sets the row's mask. */

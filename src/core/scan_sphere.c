@@ -703,7 +703,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
        row++, fc_cone_next_row(&ball.cone), ball.b = fc_to_i64((uint64_t)ball.b + (uint64_t)b_dy)) {
     sphere_row at;
     uint16_t column;
-    if (row < scan->first_row) continue;
+    if (row < scan->first_row || fc_scan_skips(scan, row)) continue;
     set_row(scan, &ball, &at);
     if (at.first != at.from) draw_open(scan, row, at.first, at.from);
     if (at.to != at.end) draw_open(scan, row, at.to, at.end);
@@ -921,6 +921,7 @@ typedef struct shadow_test {
   bool doubted;      /* the row has pixels in `doubt` */
   ahead_form ahead;
   fc_window doubt;
+  const fc_planar *receiver;
   const fc_kind *kind;
   const fc_form *form;
 } shadow_test;
@@ -932,15 +933,29 @@ static FC_COLD uint32_t shade_some(const fc_scan *scan, const shadow_test *test,
   for (; bits != 0; bits >>= 1, bit <<= 1, column++, f += dx, dx += dxx) {
     bool sure = fc_to_i64(f) > test->dark;
     if (!(bits & 1) || fc_to_i64(f) < test->lit) continue;
-    if (sure && test->everywhere == 0) {
+    if (test->everywhere == 0) {
       int64_t a = test->ahead.at + test->ahead.dx * column + test->ahead.dy * row;
-      if (a < -test->ahead.margin) continue;
-      sure = a > test->ahead.margin;
+      if (a < -test->ahead.margin) continue; /* behind the light, whatever f is */
+      if (a <= test->ahead.margin) sure = false;
     }
     if (test->doubted && scan->x + column >= test->doubt.x0 && scan->x + column <= test->doubt.x1) sure = false;
-    if (sure || fc_scan_blocked(scan, row, column, test->kind, test->form)) dark |= bit;
+    if (!sure)
+      sure = fc_scan_guesses(scan) ? fc_to_i64(f) > 0
+                                   : fc_planar_blocked(scan, test->receiver, row, column, test->kind, test->form);
+    if (sure) dark |= bit;
   }
   return dark;
+}
+
+/* Whether f stays below `lit` all along a row. Seen as a parabola it does for certain where it opens downwards and its vertex,
+ * f + (dx - dxx / 2)^2 / (2 |dxx|), lies below: words of 31 bits, rounded to the safe side. */
+static bool row_is_clear(const fc_cone *cone, int64_t lit) {
+  uint32_t slope, bend, below;
+  if (cone->dxx >= 0 || cone->f >= lit) return false;
+  slope = (uint32_t)(fc_abs64(fc_to_i64((uint64_t)cone->dx - (uint64_t)fc_floor_shift64(cone->dxx, 1))) >> 32) + 1;
+  bend = (uint32_t)(fc_abs64(cone->dxx) >> 32);
+  below = (uint32_t)(((uint64_t)lit - (uint64_t)cone->f) >> 32);
+  return fc_mul32(slope, slope) >> 1 < fc_mul32(bend, below);
 }
 
 static FC_COLD uint64_t square_of(const int64_t v[3]) {
@@ -958,8 +973,7 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   uint16_t row;
   uint8_t i;
   int8_t everywhere;
-  int64_t bulge, sag, last;
-  uint64_t last_dy, steps = (uint64_t)scan->columns - 1;
+  int64_t bulge;
   bool known = false;
   shadow_test clear;
   for (i = 0; i < 3; i++) center[i] = c[i] - scan->frame->lights[i]; /* below 2^31 */
@@ -975,26 +989,18 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   clear.lit = -cone.error;
   clear.everywhere = everywhere;
   clear.ahead = ahead;
+  clear.receiver = receiver;
   clear.kind = kind;
   clear.form = form;
   /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|; f, below 2^62,
    * bends by 8 dxx over 8 columns */
   bulge = scan->columns < 8 ? 0 : (int64_t)fc_abs64(cone.dxx);
-  sag = (int64_t)((uint64_t)bulge * ((steps * steps + 15) >> 4));
-  last = fc_to_i64((uint64_t)cone.f + (uint64_t)cone.dx * steps + (uint64_t)cone.dxx * (steps * (steps - 1) / 2));
-  last_dy = (uint64_t)cone.dy + (uint64_t)cone.dxy * steps;
   for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(&cone)) {
     uint64_t f = (uint64_t)cone.f, dx = (uint64_t)cone.dx;
     const uint64_t dxx = (uint64_t)cone.dxx;
     uint16_t column = 0;
     uint8_t word;
-    /* nor does f reach beyond the chord over the row by more than (columns - 1)^2 / 8 |dxx|; halves, which fit */
-    {
-      int64_t high = fc_to_i64(f) > last ? fc_to_i64(f) : last;
-      last = fc_to_i64((uint64_t)last + last_dy);
-      last_dy += (uint64_t)cone.dyy;
-      if (row < scan->first_row || (bulge != 0 && fc_floor_shift64(high, 1) + sag < fc_floor_shift64(clear.lit, 1) - 1)) continue;
-    }
+    if (row < scan->first_row || row_is_clear(&cone, clear.lit)) continue;
     if (!known) {
       if (!fc_planar_faces_ball(scan, receiver, c, radius, &clear.doubt)) return;
       known = true;

@@ -6,7 +6,20 @@
 #include "bits.h"
 #include "tally.h"
 
-bool fc_point_at(fc_num t, const int64_t origin[3], const int64_t direction[3], int64_t point[3]) {
+FC_COLD uint32_t fc_point_near(fc_quick t, const int64_t origin[3], const int64_t direction[3], int64_t point[3]) {
+  /* |t direction| < 2^reach; a product is within 2^-24 of itself, and cut */
+  int16_t reach = (int16_t)(t.e + 32 + fc_vector_bits(direction));
+  uint8_t i;
+  if (reach > 54) t.e = (int16_t)(t.e + 54 - reach);
+  for (i = 0; i < 3; i++) {
+    int64_t step = (int64_t)fc_quick_to_u64(fc_quick_mul(t, fc_quick_from(fc_abs64(direction[i]), 0)));
+    point[i] = origin[i] + (direction[i] < 0 ? -step : step);
+  }
+  if (reach > 53) return UINT32_MAX;
+  return reach < 24 ? 2 : (UINT32_C(1) << (reach - 24)) + 2;
+}
+
+FC_COLD bool fc_point_at(fc_num t, const int64_t origin[3], const int64_t direction[3], int64_t point[3]) {
   /* |t direction| < 2^(t.e + 63 + 30): a value of up to 57 bits carries less than 2^-1 of relative error */
   uint8_t i, bits = fc_vector_bits(direction);
   bool valid = t.e + 63 + bits <= 56;
@@ -19,93 +32,63 @@ bool fc_point_at(fc_num t, const int64_t origin[3], const int64_t direction[3], 
   return valid;
 }
 
-void fc_segment_prepare(fc_segment *segment) {
-  uint8_t i, bits = fc_vector_bits(segment->light), point_bits = fc_vector_bits(segment->point);
-  if (point_bits > bits) bits = point_bits;
-  segment->unit = bits > 30 ? (uint8_t)(bits - 30) : 0;
-  segment->length = 0;
-  for (i = 0; i < 3; i++) {
-    int64_t light = segment->light[i], low = segment->point[i] - segment->point_error,
-            high = segment->point[i] + segment->point_error;
-    segment->low[i] = light < low ? light : low;
-    segment->high[i] = light > high ? light : high;
-    segment->w[i] = fc_floor_shift64(segment->point[i] - light, segment->unit);
-    segment->length += (int64_t)fc_abs64(segment->w[i]);
-  }
+/* What an exact point is a root of: t = 1. */
+static const fc_root one = {{1, 0}, {1, 0}, {0, 0}, {0, 0}, 0};
+
+FC_COLD void fc_segment_prepare(fc_segment *segment) {
+  segment->t.m = 0;
+  segment->t.e = 0;
+  if (segment->point_error != UINT32_MAX) segment->t = fc_root_quick(segment->root != NULL ? segment->root : &one);
 }
 
-void fc_exact_point_of(fc_exact_point *p, const fc_segment *segment) {
+FC_COLD bool fc_segment_apart(const fc_segment *segment, const int64_t low[3], const int64_t high[3]) {
   uint8_t i;
-  const fc_root *root = segment->root;
-  if (root == NULL) {
-    fc_wide_from_i64(&p->m, 1);
-    fc_wide_from_i64(&p->d, 0);
-  } else {
-    fc_wide_from(&p->m, root->m);
-    fc_wide_from(&p->d, root->d);
-  }
+  if (segment->point_error == UINT32_MAX) return false;
   for (i = 0; i < 3; i++) {
-    fc_wide w;
-    if (root == NULL) {
-      fc_wide_from_i64(&p->u[i], segment->point[i]);
-      fc_wide_from_i64(&p->v[i], 0);
-      continue;
-    }
-    fc_wide_from(&p->u[i], root->p);
-    fc_wide_mul_i64(&p->u[i], &p->u[i], segment->direction[i]);
-    fc_wide_mul_i64(&w, &p->m, segment->origin[i]);
-    fc_wide_add(&p->u[i], &p->u[i], &w);
-    fc_wide_from_i64(&p->v[i], segment->direction[i] * root->q);
+    int64_t light = segment->light[i], point = segment->point[i];
+    if (light < low[i] && point + segment->point_error < low[i]) return true;
+    if (light > high[i] && point - segment->point_error > high[i]) return true;
   }
+  return false;
 }
 
-fc_i128 fc_norm1(const int64_t a[3]) {
-  return fc_i128_add(fc_i128_from_u64(fc_abs64(a[0])),
-                     fc_i128_add(fc_i128_from_u64(fc_abs64(a[1])), fc_i128_from_u64(fc_abs64(a[2]))));
+FC_COLD const int64_t *fc_segment_direction(const fc_segment *segment) {
+  return segment->root != NULL ? segment->direction : segment->point;
 }
 
-int8_t fc_side_of_point(const fc_segment *segment, const int64_t n[3], fc_i128 k) {
-  fc_exact_point p;
-  fc_wide x, y, term;
+FC_COLD int8_t fc_segment_sign(const fc_segment *segment, fc_wide *w, fc_decision decision) {
+  return fc_root_sign(segment->root != NULL ? segment->root : &one, segment->t, w, decision);
+}
+
+FC_COLD int8_t fc_side_of_point(const fc_segment *segment, const int64_t n[3], fc_i128 k) {
+  /* n 64 bits, direction 61: below 2^127 */
+  fc_i128 along = fc_i128_dot(n, fc_segment_direction(segment));
+  fc_wide w;
+  fc_wide_start(&w);
+  fc_wide_push(&w, &k);
+  fc_wide_push(&w, &along);
+  w.sign[1] = (int8_t)-w.sign[1];
+  fc_wide_push64(&w, 0);
+  return fc_segment_sign(segment, &w, FC_DECIDE_SIDE);
+}
+
+FC_COLD int64_t fc_dot(const int64_t a[3], const int64_t b[3]) {
+  uint64_t sum = 0;
   uint8_t i;
-  if (segment->point_valid) {
-    /* n 64 bits, point 61: 126 bits and the sum of three 127; off by less than |n|_1 * error */
-    fc_i128 side = fc_i128_sub(k, fc_i128_dot(n, segment->point));
-    bool certain = segment->point_error == 0 || fc_i128_compare(fc_i128_abs(side), fc_norm1(n)) > 0;
-    FC_TALLY(FC_DECIDE_SIDE, !certain);
-    if (certain) return fc_i128_sign(side);
-  }
-  fc_exact_point_of(&p, segment);
-  fc_wide_from(&x, k);
-  fc_wide_mul(&x, &x, &p.m);
-  fc_wide_from_i64(&y, 0);
-  for (i = 0; i < 3; i++) {
-    fc_wide_mul_i64(&term, &p.u[i], n[i]);
-    fc_wide_sub(&x, &x, &term);
-    fc_wide_mul_i64(&term, &p.v[i], n[i]);
-    fc_wide_sub(&y, &y, &term);
-  }
-  return fc_surd_sign(&x, &y, &p.d);
+  for (i = 0; i < 3; i++) sum += (uint64_t)a[i] * (uint64_t)b[i];
+  return fc_to_i64(sum);
 }
 
-void fc_cross(const int64_t a[3], const int64_t b[3], int64_t r[3]) {
+FC_COLD void fc_cross(const int64_t a[3], const int64_t b[3], int64_t r[3]) {
   r[0] = a[1] * b[2] - a[2] * b[1];
   r[1] = a[2] * b[0] - a[0] * b[2];
   r[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-uint8_t fc_vector_bits(const int64_t a[3]) { return fc_bits64(fc_abs64(a[0]) | fc_abs64(a[1]) | fc_abs64(a[2])); }
+FC_COLD uint8_t fc_vector_bits(const int64_t a[3]) { return fc_bits64(fc_abs64(a[0]) | fc_abs64(a[1]) | fc_abs64(a[2])); }
 
-void fc_step_off_plane(const int64_t n[3], fc_i128 k, bool behind, int64_t point[3]) {
-  uint8_t axis = 0, i;
-  int64_t step;
-  for (i = 1; i < 3; i++)
-    if (fc_abs64(n[i]) > fc_abs64(n[axis])) axis = i;
-  step = (n[axis] < 0) != behind ? -1 : 1;
-  /* |n . x - k| <= |n|_1 <= 3 |n|_max, so floor of the residual over |n|_max, plus 1, is at most 4 */
-  for (i = 0; i < 4; i++) {
-    int8_t side = fc_i128_sign(fc_i128_sub(fc_i128_dot(n, point), k));
-    if (behind ? side < 0 : side > 0) break;
-    point[axis] += step;
-  }
+FC_COLD uint8_t fc_shrink(const int64_t v[3], int64_t r[3]) {
+  uint8_t bits = fc_vector_bits(v), shift = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
+  for (i = 0; i < 3; i++) r[i] = fc_floor_shift64(v[i], shift);
+  return shift;
 }

@@ -4,14 +4,13 @@
 #include "kind.h"
 #include "quick.h"
 #include "scan_kinds.h"
-#include "tally.h"
 #include "view.h"
 
-static void read_item(const fc_shapes *shapes, uint16_t index, fc_sphere *sphere) {
+static FC_COLD void read_item(const fc_shapes *shapes, uint16_t index, fc_sphere *sphere) {
   FC_READ(sphere, (const fc_sphere *)shapes->items + index, sizeof *sphere);
 }
 
-static int check(const fc_scene *scene, const fc_shapes *shapes) {
+static FC_COLD int check(const fc_scene *scene, const fc_shapes *shapes) {
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
     fc_sphere s;
@@ -25,10 +24,10 @@ static int check(const fc_scene *scene, const fc_shapes *shapes) {
   return FC_OK;
 }
 
-static size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_sphere); }
+static FC_COLD size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_sphere); }
 
 /* |offset| + radius 2^fine, within 2^-23. */
-static fc_quick quick_reach(const int64_t offset[3], uint64_t radius, uint8_t fine) {
+static FC_COLD fc_quick quick_reach(const int64_t offset[3], uint64_t radius, uint8_t fine) {
   fc_quick square, sum = {0, 0};
   uint8_t i, bits = fc_vector_bits(offset), shift = bits > 30 ? (uint8_t)(bits - 30) : 0;
   uint64_t squares = 0;
@@ -41,7 +40,7 @@ static fc_quick quick_reach(const int64_t offset[3], uint64_t radius, uint8_t fi
   return fc_quick_add(fc_quick_scale(sum, (int16_t)shift), fc_quick_from(radius, (int16_t)fine));
 }
 
-static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
+static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   /* the reach of each to 2^-23 first; then exactly those that may be the farthest */
   fc_num most = {0, 0};
   fc_quick farthest = {0, 0};
@@ -70,7 +69,7 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   return most;
 }
 
-static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
+static FC_COLD void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   fc_placed_sphere *placed = to;
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
@@ -85,7 +84,7 @@ static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   }
 }
 
-static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
+static FC_COLD void fetch(const fc_group *group, uint16_t index, fc_form *form) {
   fc_sphere s;
   read_item(&group->shapes, index, &s);
   form->material = s.material;
@@ -104,135 +103,44 @@ static void fetch(const fc_group *group, uint16_t index, fc_form *form) {
   }
 }
 
-/* |v|^2 - r^2 for v below 2^62, exact. */
-static fc_i128 power(const int64_t v[3], int64_t radius) {
-  return fc_i128_sub(fc_i128_dot(v, v), fc_i128_mul(radius, radius));
-}
-
-static void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
+static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
+  int64_t *oc = prepared->u.sphere.oc, r = form->u.sphere.radius;
+  uint64_t far, near = (uint64_t)(r * r);
   uint8_t i;
-  for (i = 0; i < 3; i++) prepared->u.sphere.oc[i] = form->u.sphere.center[i] - origin[i];
-  prepared->u.sphere.c = power(prepared->u.sphere.oc, form->u.sphere.radius);
+  for (i = 0; i < 3; i++) oc[i] = form->u.sphere.center[i] - origin[i];
+  /* 31 bits each: the sum of squares is below 3 2^62, modulo 2^64 as it is */
+  far = (uint64_t)fc_dot(oc, oc);
+  prepared->u.sphere.c.lo = far - near;
+  prepared->u.sphere.c.hi = far < near ? UINT64_MAX : 0;
 }
 
-static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
+static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root *root) {
   /* t = (b -+ sqrt(b^2 - a c)) / a with b = direction . oc (the half coefficient's negative).
    * direction 30 bits, oc 31: b < 3 * 2^61 < 2^63; a < 3 * 2^60; |c| < 2^64: a c < 2^126, b^2 < 2^126 (Lagrange:
    * b^2 <= a |oc|^2), so the difference is below 2^127. */
-  const int64_t *oc = prepared->u.sphere.oc;
-  int64_t b = direction[0] * oc[0] + direction[1] * oc[1] + direction[2] * oc[2];
-  int64_t a = direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2];
-  int8_t outside = fc_i128_sign(prepared->u.sphere.c);
-  fc_i128 d;
+  int64_t b = fc_dot(direction, prepared->u.sphere.oc), a = fc_dot(direction, direction);
+  int8_t outside = fc_i128_sign(prepared->u.sphere.c), sign;
   if (outside >= 0 && b <= 0) return 0;
-  d = fc_i128_sub(fc_i128_mul(b, b), fc_i128_scale(prepared->u.sphere.c, a));
-  if (fc_i128_sign(d) < 0) return 0;
-  root[0].p = fc_i128_from(b);
-  root[0].m = fc_i128_from(a);
-  root[0].d = d;
-  root[0].c = fc_i128_abs(prepared->u.sphere.c);
-  root[0].q = outside > 0 ? -1 : 1;
-  if (outside <= 0) return 1;
-  root[1] = root[0];
-  root[1].q = 1;
-  return fc_i128_sign(d) > 0 ? 2 : 1;
+  root->p = fc_i128_from(b);
+  root->m = fc_i128_from(a);
+  root->c = prepared->u.sphere.c;
+  root->d = fc_i128_sub(fc_i128_mul(b, b), fc_i128_scale(root->c, a));
+  root->q = outside > 0 ? -1 : 1;
+  sign = fc_i128_sign(root->d);
+  if (sign < 0) return 0;
+  return outside > 0 && sign > 0 ? 2 : 1;
 }
 
-/* A vector shrunk to below 2^bits by floor division with 2^shift. */
-static void shrink(const int64_t v[3], uint8_t shift, int64_t r[3]) {
+static FC_COLD int8_t side(const fc_form *form, const int64_t point[3]) {
+  int64_t v[3];
+  fc_i128 square;
   uint8_t i;
-  for (i = 0; i < 3; i++) r[i] = fc_floor_shift64(v[i], shift);
+  for (i = 0; i < 3; i++) v[i] = point[i] - form->u.sphere.center[i];
+  square = fc_i128_dot(v, v);
+  return fc_i128_compare(square, fc_i128_from(form->u.sphere.radius * form->u.sphere.radius));
 }
 
-static fc_wide wide_of(int64_t v) {
-  fc_wide w;
-  fc_wide_from_i64(&w, v);
-  return w;
-}
-
-/* x + y sqrt(d) with the point's d. */
-typedef struct surd {
-  fc_wide x, y;
-} surd;
-
-/* m^2 times |C - P|^2 - r^2. */
-static int8_t exact_power_sign(const fc_form *form, const fc_exact_point *p) {
-  fc_wide g[3], x, y, term;
-  uint8_t i;
-  for (i = 0; i < 3; i++) {
-    fc_wide_mul_i64(&g[i], &p->m, form->u.sphere.center[i]);
-    fc_wide_sub(&g[i], &g[i], &p->u[i]);
-  }
-  fc_wide_dot(&x, g, g);
-  fc_wide_dot(&term, p->v, p->v);
-  fc_wide_mul(&term, &term, &p->d);
-  fc_wide_add(&x, &x, &term);
-  fc_wide_mul_i64(&term, &p->m, form->u.sphere.radius);
-  fc_wide_mul(&term, &term, &term);
-  fc_wide_sub(&x, &x, &term);
-  fc_wide_dot(&y, g, p->v);
-  fc_wide_add(&y, &y, &y);
-  fc_wide_neg(&y);
-  return fc_surd_sign(&x, &y, &p->d);
-}
-
-/* Whether the line through light and point, seen from the light, comes within r of the center strictly between the
- * two. W = m (P - L) = w + v sqrt(d); q = |C - L|^2 - r^2. */
-static bool exact_passes(const fc_form *form, const fc_segment *segment, const fc_exact_point *p, fc_i128 q) {
-  fc_wide w[3], c[3], along_x, along_y, square_x, square_y, x, y, term;
-  uint8_t i;
-  for (i = 0; i < 3; i++) {
-    fc_wide_mul_i64(&w[i], &p->m, segment->light[i]);
-    fc_wide_sub(&w[i], &p->u[i], &w[i]);
-    c[i] = wide_of(form->u.sphere.center[i] - segment->light[i]);
-  }
-  /* W.c > 0 */
-  fc_wide_dot(&along_x, w, c);
-  fc_wide_dot(&along_y, p->v, c);
-  if (fc_surd_sign(&along_x, &along_y, &p->d) <= 0) return false;
-  /* W.W - m W.c > 0 */
-  fc_wide_dot(&square_x, w, w);
-  fc_wide_dot(&term, p->v, p->v);
-  fc_wide_mul(&term, &term, &p->d);
-  fc_wide_add(&square_x, &square_x, &term);
-  fc_wide_dot(&square_y, w, p->v);
-  fc_wide_add(&square_y, &square_y, &square_y);
-  fc_wide_mul(&term, &p->m, &along_x);
-  fc_wide_sub(&x, &square_x, &term);
-  fc_wide_mul(&term, &p->m, &along_y);
-  fc_wide_sub(&y, &square_y, &term);
-  if (fc_surd_sign(&x, &y, &p->d) <= 0) return false;
-  /* (W.c)^2 - W.W q >= 0 */
-  fc_wide_mul(&x, &along_x, &along_x);
-  fc_wide_mul(&term, &along_y, &along_y);
-  fc_wide_mul(&term, &term, &p->d);
-  fc_wide_add(&x, &x, &term);
-  fc_wide_mul(&y, &along_x, &along_y);
-  fc_wide_add(&y, &y, &y);
-  fc_wide_from(&term, q);
-  fc_wide_mul(&square_x, &square_x, &term);
-  fc_wide_mul(&square_y, &square_y, &term);
-  fc_wide_sub(&x, &x, &square_x);
-  fc_wide_sub(&y, &y, &square_y);
-  return fc_surd_sign(&x, &y, &p->d) >= 0;
-}
-
-static bool exact_blocked(const fc_form *form, const fc_segment *segment, fc_i128 q_light) {
-  fc_exact_point p;
-  int8_t at_light = fc_i128_sign(q_light), at_point;
-  fc_exact_point_of(&p, segment);
-  at_point = exact_power_sign(form, &p);
-  if (at_light * at_point < 0) return true;
-  if (at_light < 0 || at_point < 0 || (at_light == 0 && at_point == 0)) return false;
-  return exact_passes(form, segment, &p, q_light);
-}
-
-/* +1 or -1 when |value| exceeds its error, 0 when not. */
-static int8_t certain_sign(fc_i128 value, fc_i128 error) {
-  return fc_i128_compare(fc_i128_abs(value), error) > 0 ? fc_i128_sign(value) : 0;
-}
-
-static void bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {
+static FC_COLD void bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {
   uint8_t i;
   for (i = 0; i < 3; i++) {
     low[i] = form->u.sphere.center[i] - form->u.sphere.radius;
@@ -240,145 +148,77 @@ static void bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {
   }
 }
 
-/* Blocked by filter: 1 yes, 0 no, -1 undecided. */
-static int8_t quick_blocked(const fc_form *form, const fc_segment *segment, fc_i128 q_light) {
-  int64_t c_light[3], c_point[3], w[3], wl[3];
-  fc_i128 disc, error;
-  int64_t along, square, q, r, e_along, e_square, e_q;
-  int8_t at_light, at_point, sign;
-  uint8_t i, bits, shift;
-  for (i = 0; i < 3; i++) c_light[i] = form->u.sphere.center[i] - segment->light[i];
-  at_light = fc_i128_sign(q_light);
-  if (!segment->point_valid) return -1;
-  for (i = 0; i < 3; i++) {
-    c_point[i] = form->u.sphere.center[i] - segment->point[i];
-    wl[i] = segment->point[i] - segment->light[i];
-  }
-  /* |C - P|^2 - r^2 with P off by at most 1 an axis: off by 2 |C - P|_1 + 3 */
-  error = fc_i128_from(0);
-  if (segment->point_error != 0) {
-    error = fc_norm1(c_point);
-    error = fc_i128_add(fc_i128_add(error, error), fc_i128_from(3));
-  }
-  disc = power(c_point, form->u.sphere.radius);
-  at_point = certain_sign(disc, error);
-  if (at_point == 0 && segment->point_error != 0) return -1;
-  if (at_light * at_point < 0) return 1;
-  if (at_light < 0 || at_point < 0 || (at_light == 0 && at_point == 0)) return 0; /* no surface between them */
-  /* Both ends outside. Shrink to 30 bits: each component of c off by e_c = shift > 0, of w by e_w. */
-  bits = fc_vector_bits(wl);
-  if (fc_vector_bits(c_light) > bits) bits = fc_vector_bits(c_light);
-  shift = bits > 30 ? (uint8_t)(bits - 30) : 0;
-  shrink(c_light, shift, c_light);
-  shrink(wl, shift, w);
-  r = form->u.sphere.radius >> shift;
-  {
-    int64_t e_c = shift > 0, e_w = e_c + segment->point_error;
-    /* components up to 2^30: sums of three products below 2^62 */
-    along = fc_small_dot(w, c_light);
-    square = fc_small_dot(w, w);
-    q = fc_small_dot(c_light, c_light) - r * r;
-    e_along = fc_small_norm1(w) * e_c + fc_small_norm1(c_light) * e_w + 3 * e_c * e_w;
-    e_square = 2 * fc_small_norm1(w) * e_w + 3 * e_w * e_w;
-    e_q = 2 * fc_small_norm1(c_light) * e_c + 3 * e_c + 2 * r * e_c + e_c;
-  }
-  if (along < -e_along || square - along < -(e_square + e_along)) return 0;
-  /* along^2 - square q: 124 bits; off by 2 |along| e_along + e_along^2 + square e_q + |q| e_square + e_q e_square */
-  disc = fc_i128_sub(fc_i128_mul(along, along), fc_i128_mul(square, q));
-  error = fc_i128_add(fc_i128_mul(2 * e_along, (int64_t)fc_abs64(along)), fc_i128_mul(e_along, e_along));
-  error = fc_i128_add(error, fc_i128_mul(square, e_q));
-  error = fc_i128_add(error, fc_i128_mul((int64_t)fc_abs64(q), e_square));
-  error = fc_i128_add(error, fc_i128_mul(e_q, e_square));
-  sign = certain_sign(disc, error);
-  if (sign < 0) return 0;
-  if ((sign > 0 || fc_i128_sign(error) == 0) && along > e_along && square - along > e_square + e_along) return 1;
-  return -1;
+/*
+ * Forms of the point P = t D, the light L and the center C, from their products: 0 DD, 1 DL, 2 DC, 3 LL, 4 LC, 5 CC, 6 r, 7 one.
+ */
+/* |P - C|^2 - r^2 */
+static const uint8_t outside[] FC_ROM = {FC_SUM(1, 1), FC_TIMES(5, 7), FC_TIMES(6, 6), FC_SUM(0, 2), FC_TIMES(2, 7),
+                                         FC_TIMES(2, 7), FC_SUM(1, 0), FC_TIMES(0, 7), 0};
+/* (C - P).(L - P), negative where P faces the light; positive also says that C's foot on the line is beyond P, seen from L */
+static const uint8_t away[] FC_ROM = {FC_SUM(1, 0), FC_TIMES(4, 7), FC_SUM(0, 2), FC_TIMES(1, 7), FC_TIMES(2, 7),
+                                      FC_SUM(1, 0), FC_TIMES(0, 7), 0};
+/* (P - L).(C - L) */
+static const uint8_t ahead[] FC_ROM = {FC_SUM(1, 1), FC_TIMES(3, 7), FC_TIMES(4, 7), FC_SUM(1, 1), FC_TIMES(2, 7),
+                                       FC_TIMES(1, 7), FC_NOTHING, 0};
+/* ((P - L).(C - L))^2 - |P - L|^2 (|C - L|^2 - r^2): not negative where the line meets the sphere */
+static const uint8_t met[] FC_ROM = {
+    FC_SUM(2, 3), FC_TIMES(5, 7), FC_TIMES(3, 7), FC_TIMES(4, 7), FC_TIMES(4, 7), FC_TIMES(6, 6), /* 8: |C - L|^2 - r^2 */
+    FC_SUM(1, 1), FC_TIMES(2, 7), FC_TIMES(1, 7),                                                 /* 9: D.(C - L) */
+    FC_SUM(1, 1), FC_TIMES(4, 7), FC_TIMES(3, 7),                                                 /* 10: L.(C - L) */
+    FC_SUM(1, 1), FC_TIMES(10, 10), FC_TIMES(8, 3),
+    FC_SUM(2, 2), FC_TIMES(8, 1), FC_TIMES(8, 1), FC_TIMES(9, 10), FC_TIMES(9, 10),
+    FC_SUM(1, 1), FC_TIMES(9, 9), FC_TIMES(8, 0), 0};
+
+/* The sign of a form. */
+static FC_COLD int8_t sign_of(const uint8_t *program, const fc_form *form, const fc_segment *segment, fc_decision decision) {
+  const int64_t *v[3];
+  fc_wide w;
+  uint8_t i, j;
+  v[0] = fc_segment_direction(segment);
+  v[1] = segment->light;
+  v[2] = form->u.sphere.center;
+  fc_wide_start(&w);
+  for (i = 0; i < 3; i++)
+    for (j = i; j < 3; j++) {
+      fc_i128 dot = fc_i128_dot(v[i], v[j]); /* factors of up to 62 bits */
+      fc_wide_push(&w, &dot);
+    }
+  fc_wide_push64(&w, form->u.sphere.radius);
+  fc_wide_push64(&w, 1);
+  fc_wide_run(&w, program);
+  return fc_segment_sign(segment, &w, decision);
 }
 
-static bool blocked(const fc_form *form, const fc_segment *segment) {
-  int64_t c_light[3], low[3], high[3];
-  fc_i128 q_light;
-  int8_t quick;
-  uint8_t i;
+static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
+  int64_t low[3], high[3];
+  int8_t light, point;
   bounds(form, low, high);
   if (fc_segment_apart(segment, low, high)) return false;
-  for (i = 0; i < 3; i++) c_light[i] = form->u.sphere.center[i] - segment->light[i];
-  q_light = power(c_light, form->u.sphere.radius);
-  quick = quick_blocked(form, segment, q_light);
-  FC_TALLY(FC_DECIDE_PASS, quick < 0);
-  return quick < 0 ? exact_blocked(form, segment, q_light) : quick > 0;
+  light = side(form, segment->light);
+  /* from outside or from the surface: not where the line turns away at once or misses the sphere */
+  if (light >= 0 && (sign_of(ahead, form, segment, FC_DECIDE_PASS) <= 0 || sign_of(met, form, segment, FC_DECIDE_PASS) < 0))
+    return false;
+  point = sign_of(outside, form, segment, FC_DECIDE_PASS);
+  if (light * point < 0) return true;
+  /* both ends outside, at most one of them on the surface: between them iff the line's middle in the ball is */
+  return light >= 0 && point >= 0 && light + point > 0 && sign_of(away, form, segment, FC_DECIDE_PASS) > 0;
 }
 
-/* Sign of (P - C) . (L - P). */
-static int8_t outward_sign(const fc_form *form, const fc_segment *segment) {
-  fc_exact_point p;
-  fc_wide g[3], h[3], x, y, term;
-  uint8_t i;
-  if (segment->point_valid) {
-    int64_t n[3], l[3];
-    fc_i128 value, error = fc_i128_from(0);
-    bool certain;
-    for (i = 0; i < 3; i++) {
-      n[i] = segment->point[i] - form->u.sphere.center[i];
-      l[i] = segment->light[i] - segment->point[i];
-    }
-    value = fc_i128_dot(n, l);
-    if (segment->point_error != 0) error = fc_i128_add(fc_i128_add(fc_norm1(n), fc_norm1(l)), fc_i128_from(3));
-    certain = segment->point_error == 0 || certain_sign(value, error) != 0;
-    FC_TALLY(FC_DECIDE_FACING, !certain);
-    if (certain) return fc_i128_sign(value);
-  }
-  /* G = u - m C, H = m L - u; (G + v s).(H - v s) = G.H - d v.v + (v.H - G.v) s */
-  fc_exact_point_of(&p, segment);
-  for (i = 0; i < 3; i++) {
-    fc_wide_mul_i64(&g[i], &p.m, form->u.sphere.center[i]);
-    fc_wide_sub(&g[i], &p.u[i], &g[i]);
-    fc_wide_mul_i64(&h[i], &p.m, segment->light[i]);
-    fc_wide_sub(&h[i], &h[i], &p.u[i]);
-  }
-  fc_wide_dot(&x, g, h);
-  fc_wide_dot(&term, p.v, p.v);
-  fc_wide_mul(&term, &term, &p.d);
-  fc_wide_sub(&x, &x, &term);
-  fc_wide_dot(&y, p.v, h);
-  fc_wide_dot(&term, g, p.v);
-  fc_wide_sub(&y, &y, &term);
-  return fc_surd_sign(&x, &y, &p.d);
-}
-
-static bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
-  int64_t c_light[3];
-  uint8_t i;
-  if (fc_i128_sign(prepared->u.sphere.c) > 0) return outward_sign(form, segment) > 0;
+static FC_COLD bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
+  int8_t turned = sign_of(away, form, segment, FC_DECIDE_FACING);
+  if (fc_i128_sign(prepared->u.sphere.c) > 0) return turned < 0;
   /* from inside (or on it, looking in), the light must be inside too, or the sphere itself is in the way */
-  for (i = 0; i < 3; i++) c_light[i] = form->u.sphere.center[i] - segment->light[i];
-  return fc_i128_sign(power(c_light, form->u.sphere.radius)) <= 0 && outward_sign(form, segment) < 0;
+  return turned > 0 && side(form, segment->light) <= 0;
 }
 
-static bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
+static FC_COLD bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
   uint8_t i;
   (void)prepared;
   for (i = 0; i < 3; i++) n[i] = point[i] - form->u.sphere.center[i];
   return false; /* which side is seen, the root knows */
 }
 
-static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
-  /* The point is within 1 unit an axis of the sphere, so a few unit steps along the normal's dominant axis cross it. */
-  uint8_t axis = 0, i;
-  int64_t v[3], step;
-  for (i = 0; i < 3; i++) v[i] = point[i] - form->u.sphere.center[i];
-  for (i = 1; i < 3; i++)
-    if (fc_abs64(v[i]) > fc_abs64(v[axis])) axis = i;
-  step = (v[axis] < 0) != inside ? -1 : 1;
-  for (i = 0; i < 8; i++) {
-    int8_t side = fc_i128_sign(power(v, form->u.sphere.radius));
-    if (inside ? side < 0 : side > 0) break;
-    v[axis] += step;
-    point[axis] += step;
-  }
-}
-
-static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
+static FC_COLD void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
   uint16_t i;
   (void)frame;
   for (i = 0; i < group->shapes.count; i++) {
@@ -395,6 +235,6 @@ static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *
 
 const fc_kind fc_kind_sphere FC_ROM = {
     check,    memory, extent,      place,             fetch,            prepare,        test,             blocked,         facing, normal,
-    step_off, NULL,   depth_range, fc_sphere_project, fc_sphere_window, fc_sphere_draw, fc_sphere_shadow, fc_sphere_between,
+    side,     NULL,   depth_range, fc_sphere_project, fc_sphere_window, fc_sphere_draw, fc_sphere_shadow, fc_sphere_between,
     fc_sphere_hides,
     fc_scan_each, bounds, NULL};

@@ -221,7 +221,7 @@ static int8_t edge_sign(const fc_prepared *prepared, uint8_t i, const int64_t d[
   return sign;
 }
 
-static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root root[2]) {
+static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root *root) {
   int64_t reach = fc_small_norm1(direction);
   int8_t side = fc_i128_sign(prepared->u.triangle.side);
   fc_i128 along;
@@ -231,74 +231,10 @@ static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_
   /* The edge forms add up to normal . direction, which therefore has the sign of `side` too. */
   along = fc_i128_dot(prepared->u.triangle.normal, direction);
   if (fc_i128_sign(along) != side) return 0;
-  root[0].p = fc_i128_abs(prepared->u.triangle.side);
-  root[0].m = fc_i128_abs(along);
-  root[0].d = root[0].c = fc_i128_from(0);
-  root[0].q = 0;
-  return 1;
-}
-
-/* Edge signs of the line from the light through the exact point: is it inside the closed triangle? */
-static bool exact_pierces(const fc_form *form, const fc_segment *segment) {
-  fc_exact_point p;
-  fc_wide w[3];
-  int8_t seen = 0;
-  uint8_t i, j;
-  fc_exact_point_of(&p, segment);
-  for (j = 0; j < 3; j++) {
-    fc_wide_mul_i64(&w[j], &p.m, segment->light[j]);
-    fc_wide_sub(&w[j], &p.u[j], &w[j]);
-  }
-  for (i = 0; i < 3; i++) {
-    int64_t a[3], e[3];
-    fc_wide n[3], x, y;
-    int8_t sign;
-    subtract(form->u.triangle.vertex[i], segment->light, a);
-    subtract(form->u.triangle.vertex[next(i)], form->u.triangle.vertex[i], e);
-    for (j = 0; j < 3; j++) {
-      uint8_t k = next(j), l = next(k);
-      /* 62 + 31 bits, two products */
-      fc_wide_from(&n[j], fc_i128_sub(fc_i128_mul(a[k], e[l]), fc_i128_mul(a[l], e[k])));
-    }
-    fc_wide_dot(&x, n, w);
-    fc_wide_dot(&y, n, p.v);
-    sign = fc_surd_sign(&x, &y, &p.d);
-    if (sign * seen < 0) return false;
-    if (sign != 0) seen = sign;
-  }
-  return true;
-}
-
-/* The same by filter: 1 inside, 0 outside, -1 undecided. */
-static int8_t quick_pierces(const fc_form *form, const fc_segment *segment) {
-  const int64_t *w = segment->w;
-  int64_t a[3], e_a, e_w;
-  uint8_t i, j;
-  int8_t seen = 0;
-  if (!segment->point_valid) return -1;
-  /* Vertices from the light in units of 2^unit, below 2^31: short by less than e_a an axis, as w is by e_w. */
-  e_a = segment->unit > 0;
-  e_w = e_a + segment->point_error;
-  for (i = 0; i < 3; i++) {
-    int64_t e[3], n[3], small[3], e_n, value, error;
-    uint8_t shift;
-    int8_t sign;
-    subtract(form->u.triangle.vertex[i], segment->light, a);
-    for (j = 0; j < 3; j++) a[j] = fc_floor_shift64(a[j], segment->unit);
-    subtract(form->u.triangle.vertex[next(i)], form->u.triangle.vertex[i], e);
-    fc_cross(a, e, n); /* 31 + 31 bits, two products: below 2^63 */
-    shrink(n, small, &shift);
-    /* n is off by less than e_a |e|_1; then the cut */
-    e_n = (shift > 0) + (e_a != 0 ? (fc_small_norm1(e) >> shift) + 1 : 0);
-    if (e_n >= (INT64_C(1) << 24)) return -1;
-    /* 30 + 31 bits, three terms: below 2^63; the error's terms below 2^58 */
-    value = small[0] * w[0] + small[1] * w[1] + small[2] * w[2];
-    error = e_n * segment->length + (fc_small_norm1(small) + 3 * e_n) * e_w;
-    if ((int64_t)fc_abs64(value) <= error && error != 0) return -1;
-    sign = fc_sign64(value);
-    if (sign * seen < 0) return 0;
-    if (sign != 0) seen = sign;
-  }
+  root->p = fc_i128_abs(prepared->u.triangle.side);
+  root->m = fc_i128_abs(along);
+  root->d = root->c = fc_i128_from(0);
+  root->q = 0;
   return 1;
 }
 
@@ -313,30 +249,58 @@ static void bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {
   }
 }
 
-/* Sign of normal . (A - light): 63 + 62 bits, three products below 2^127. */
-static int8_t side_of_light(const fc_form *form, const fc_segment *segment, const int64_t n[3]) {
-  int64_t a[3];
-  subtract(form->u.triangle.vertex[0], segment->light, a);
+/* 63 + 62 bits, three products below 2^127. */
+static FC_COLD int8_t side(const fc_form *form, const int64_t point[3]) {
+  int64_t n[3], a[3];
+  fc_face_normal(form, n);
+  subtract(point, form->u.triangle.vertex[0], a);
   return fc_i128_sign(fc_i128_dot(n, a));
 }
 
-static bool blocked(const fc_form *form, const fc_segment *segment) {
-  int64_t n[3], low[3], high[3];
-  int8_t light, inside;
-  bounds(form, low, high);
-  if (fc_segment_apart(segment, low, high)) return false;
-  inside = quick_pierces(form, segment);
-  FC_TALLY(FC_DECIDE_PIERCE, inside < 0);
-  if (inside == 0) return false;
-  fc_face_normal(form, n);
-  light = side_of_light(form, segment, n);
-  if (light == 0 || (form->u.triangle.hidden != 0 && segment->outside && light != form->u.triangle.hidden) ||
-      fc_side_of_point(segment, n, fc_i128_dot(n, form->u.triangle.vertex[0])) != -light) return false;
-  return inside == 1 || exact_pierces(form, segment);
+/* Edge signs of the line from the light L through the point P = t D: is it inside the closed triangle? */
+static FC_COLD bool pierced(const fc_form *form, const fc_segment *segment) {
+  /* N.(P - L) with N = (A - L) x (B - A): 0 .. 2 A - L, 3 .. 5 B - A, 6 .. 8 D, 9 .. 11 L */
+  static const uint8_t program[] FC_ROM = {
+      FC_SUM(1, 1), FC_TIMES(1, 5), FC_TIMES(2, 4), /* 12 .. 14: N */
+      FC_SUM(1, 1), FC_TIMES(2, 3), FC_TIMES(0, 5), FC_SUM(1, 1), FC_TIMES(0, 4), FC_TIMES(1, 3),
+      FC_SUM(0, 3), FC_TIMES(12, 9), FC_TIMES(13, 10), FC_TIMES(14, 11),
+      FC_SUM(3, 0), FC_TIMES(12, 6), FC_TIMES(13, 7), FC_TIMES(14, 8),
+      FC_SUM(1, 1), FC_TIMES(3, 3), FC_TIMES(3, 3), 0};
+  int8_t seen = 0;
+  uint8_t i, j, k;
+  for (i = 0; i < 3; i++) {
+    int64_t v[2][3];
+    fc_wide w;
+    int8_t sign;
+    subtract(form->u.triangle.vertex[i], segment->light, v[0]);
+    subtract(form->u.triangle.vertex[next(i)], form->u.triangle.vertex[i], v[1]);
+    fc_wide_start(&w);
+    for (j = 0; j < 4; j++)
+      for (k = 0; k < 3; k++) fc_wide_push64(&w, (j < 2 ? v[j] : j == 2 ? fc_segment_direction(segment) : segment->light)[k]);
+    fc_wide_run(&w, program);
+    sign = fc_segment_sign(segment, &w, FC_DECIDE_PIERCE);
+    if (sign * seen < 0) return false;
+    if (sign != 0) seen = sign;
+  }
+  return true;
 }
 
-static bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
-  return fc_i128_sign(prepared->u.triangle.side) * side_of_light(form, segment, prepared->u.triangle.normal) > 0;
+static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
+  int64_t n[3], low[3], high[3];
+  int8_t light;
+  bounds(form, low, high);
+  if (fc_segment_apart(segment, low, high)) return false;
+  light = side(form, segment->light);
+  if (light == 0 || (form->u.triangle.hidden != 0 && segment->outside && light == form->u.triangle.hidden) ||
+      !pierced(form, segment))
+    return false;
+  /* last: a point in the plane of a neighbour has no quick answer */
+  fc_face_normal(form, n);
+  return fc_side_of_point(segment, n, fc_i128_dot(n, form->u.triangle.vertex[0])) == light;
+}
+
+static FC_COLD bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
+  return fc_i128_sign(prepared->u.triangle.side) * side(form, segment->light) < 0;
 }
 
 static bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
@@ -345,12 +309,6 @@ static bool normal(const fc_form *form, const fc_prepared *prepared, const int64
   (void)point;
   for (i = 0; i < 3; i++) n[i] = prepared->u.triangle.normal[i];
   return fc_i128_sign(prepared->u.triangle.side) > 0;
-}
-
-static void step_off(const fc_form *form, bool inside, int64_t point[3]) {
-  int64_t n[3];
-  fc_face_normal(form, n);
-  fc_step_off_plane(n, fc_i128_dot(n, form->u.triangle.vertex[0]), inside, point);
 }
 
 static void weights(const fc_prepared *prepared, const int64_t direction[3], uint32_t weight_q30[3]) {
@@ -414,7 +372,7 @@ const fc_kind fc_kind_triangle FC_ROM = {check,
                                          blocked,
                                          facing,
                                          normal,
-                                         step_off,
+                                         side,
                                          weights,
                                          depth_range,
                                          fc_triangle_project,

@@ -7,13 +7,7 @@
 #include "quick.h"
 #include "segment.h"
 
-/* Rounds v / length to Q30, |v| <= length. */
-static int32_t unit_q30(fc_i128 v, fc_num length) {
-  int32_t q = (int32_t)fc_num_round(fc_num_div(fc_num_from_abs(v), length), 30);
-  return fc_i128_sign(v) < 0 ? -q : q;
-}
-
-fc_num fc_length(const int64_t v[3]) {
+FC_COLD fc_num fc_length(const int64_t v[3]) {
   /* components below 2^63: squares below 2^126 as values, no overflow */
   fc_num sum = {0, 0};
   uint8_t i;
@@ -24,52 +18,58 @@ fc_num fc_length(const int64_t v[3]) {
   return fc_num_sqrt(sum);
 }
 
-static bool within_range(const fc_vec3 *v) {
+/* v / |v| in Q60, within 2^-58. */
+static FC_COLD void unit_q60(int64_t v[3]) {
+  fc_num length = fc_length(v);
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    int64_t q = (int64_t)fc_num_round(fc_num_div(fc_num_from_u64(fc_abs64(v[i]), 0), length), 60);
+    v[i] = v[i] < 0 ? -q : q;
+  }
+}
+
+FC_COLD bool fc_load(const fc_vec3 *v, int64_t r[3]) {
+  r[0] = v->x;
+  r[1] = v->y;
+  r[2] = v->z;
   return fc_abs32(v->x) <= (uint32_t)FC_COORDINATE_MAX && fc_abs32(v->y) <= (uint32_t)FC_COORDINATE_MAX &&
          fc_abs32(v->z) <= (uint32_t)FC_COORDINATE_MAX;
 }
 
-static int set_rows(fc_view *view, const fc_camera *camera) {
+static FC_COLD int set_rows(fc_view *view, const fc_camera *camera) {
   int64_t f[3], u[3], r[3];
-  fc_num f_length, r_length;
   uint8_t i;
-  if (!within_range(&camera->eye) || !within_range(&camera->target) || !within_range(&camera->up))
-    return FC_ERR_COORDINATE;
-  f[0] = (int64_t)camera->target.x - camera->eye.x;
-  f[1] = (int64_t)camera->target.y - camera->eye.y;
-  f[2] = (int64_t)camera->target.z - camera->eye.z;
-  u[0] = camera->up.x;
-  u[1] = camera->up.y;
-  u[2] = camera->up.z;
+  if (!fc_load(&camera->eye, u) || !fc_load(&camera->target, f)) return FC_ERR_COORDINATE;
+  for (i = 0; i < 3; i++) f[i] -= u[i];
+  if (!fc_load(&camera->up, u)) return FC_ERR_COORDINATE;
   if ((f[0] | f[1] | f[2]) == 0) return FC_ERR_CAMERA_TARGET;
   /* 31 + 30 bits, two products: below 2^62 */
   fc_cross(f, u, r);
   if ((r[0] | r[1] | r[2]) == 0) return FC_ERR_CAMERA_UP;
-  f_length = fc_length(f);
-  r_length = fc_length(r);
+  unit_q60(r);
+  unit_q60(f);
   for (i = 0; i < 3; i++) {
-    /* up' = r x f: 62 + 31 bits, two products: below 2^94 */
+    /* up' = r x f, Q120: two products below 2^121 */
     uint8_t j = (uint8_t)((i + 1) % 3), k = (uint8_t)((i + 2) % 3);
     fc_i128 up = fc_i128_sub(fc_i128_mul(r[j], f[k]), fc_i128_mul(r[k], f[j]));
-    view->row[0][i] = unit_q30(fc_i128_from(r[i]), r_length);
-    view->row[1][i] = unit_q30(up, fc_num_mul(r_length, f_length));
-    view->row[2][i] = unit_q30(fc_i128_from(f[i]), f_length);
+    view->row[0][i] = (int32_t)fc_floor_shift64(r[i] + (1 << 29), 30);
+    view->row[1][i] = (int32_t)fc_i128_to_i64(fc_i128_round_shift(up, 90));
+    view->row[2][i] = (int32_t)fc_floor_shift64(f[i] + (1 << 29), 30);
   }
   return FC_OK;
 }
 
-static int set_eye(fc_view *view, const fc_camera *camera) {
+static FC_COLD int set_eye(fc_view *view, const fc_camera *camera) {
   int8_t e = camera->exponent;
+  uint8_t i;
   if (e < -31 || e > 31) return FC_ERR_EXPONENT;
   view->fine = (uint8_t)(e < 0 ? -e : 0);
-  /* 30 + 31 bits */
-  view->eye[0] = camera->eye.x * (INT64_C(1) << (e > 0 ? e : 0));
-  view->eye[1] = camera->eye.y * (INT64_C(1) << (e > 0 ? e : 0));
-  view->eye[2] = camera->eye.z * (INT64_C(1) << (e > 0 ? e : 0));
+  (void)fc_load(&camera->eye, view->eye);
+  for (i = 0; e > 0 && i < 3; i++) view->eye[i] *= INT64_C(1) << e; /* 30 + 31 bits */
   return FC_OK;
 }
 
-static int set_focal(fc_view *view, const fc_camera *camera, uint16_t width, uint16_t height) {
+static FC_COLD int set_focal(fc_view *view, const fc_camera *camera, uint16_t width, uint16_t height) {
   uint32_t span = width < height ? width : height;
   uint32_t longest = width < height ? height : width;
   uint64_t tan_max = (uint64_t)camera->tan_half_fov_denominator << 16;
@@ -96,7 +96,7 @@ static int set_focal(fc_view *view, const fc_camera *camera, uint16_t width, uin
   return FC_OK;
 }
 
-int fc_view_from_camera(fc_view *view, const fc_camera *camera, uint16_t width, uint16_t height) {
+FC_COLD int fc_view_from_camera(fc_view *view, const fc_camera *camera, uint16_t width, uint16_t height) {
   int error = set_rows(view, camera);
   if (error == FC_OK) error = set_eye(view, camera);
   if (error == FC_OK) error = set_focal(view, camera, width, height);
@@ -104,27 +104,22 @@ int fc_view_from_camera(fc_view *view, const fc_camera *camera, uint16_t width, 
   return error;
 }
 
-void fc_view_offset(const fc_view *view, const fc_vec3 *v, int64_t offset[3]) {
+FC_COLD void fc_view_offset(const fc_view *view, const fc_vec3 *v, int64_t offset[3]) {
   /* 30 + 31 bits minus 61 bits: below 2^62 */
-  int64_t one = INT64_C(1) << view->fine;
-  offset[0] = v->x * one - view->eye[0];
-  offset[1] = v->y * one - view->eye[1];
-  offset[2] = v->z * one - view->eye[2];
+  uint8_t i;
+  (void)fc_load(v, offset);
+  for (i = 0; i < 3; i++) offset[i] = offset[i] * (INT64_C(1) << view->fine) - view->eye[i];
 }
 
-bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponent, int64_t point[3]) {
+FC_COLD bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponent, int64_t point[3]) {
   int64_t p[3];
-  uint8_t i;
+  uint8_t i, j;
   int16_t up = (int16_t)(exponent + view->fine); /* -31 .. 63 */
-  p[0] = v->x;
-  p[1] = v->y;
-  p[2] = v->z;
+  (void)fc_load(v, p);
   for (i = 0; i < 3; i++) {
     int64_t row[3];
     fc_i128 q;
-    row[0] = view->row[i][0];
-    row[1] = view->row[i][1];
-    row[2] = view->row[i][2];
+    for (j = 0; j < 3; j++) row[j] = view->row[i][j];
     /* A unit row times 30-bit coordinates: below 2^62 * 2^63 = 2^125; the eye 2^30 * 2^62 * sqrt 3 < 2^93. */
     q = fc_i128_dot(row, p);
     q = up >= 0 ? fc_i128_shift_left(q, (uint8_t)up) : fc_i128_round_shift(q, (uint8_t)-up);
@@ -135,12 +130,12 @@ bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponent, int64
   return true;
 }
 
-static int32_t clamp_coordinate(int64_t v) {
+static FC_COLD int32_t clamp_coordinate(int64_t v) {
   if (v > FC_COORDINATE_MAX) return FC_COORDINATE_MAX;
   return v < -FC_COORDINATE_MAX ? -FC_COORDINATE_MAX : (int32_t)v;
 }
 
-void fc_view_to_world(const fc_view *view, fc_num t, const int64_t direction[3], fc_vec3 *v) {
+FC_COLD void fc_view_to_world(const fc_view *view, fc_num t, const int64_t direction[3], fc_vec3 *v) {
   int32_t out[3];
   uint8_t i;
   for (i = 0; i < 3; i++) {
@@ -159,7 +154,7 @@ void fc_view_to_world(const fc_view *view, fc_num t, const int64_t direction[3],
   v->z = out[2];
 }
 
-void fc_view_direction(const fc_frame *frame, uint16_t x, uint16_t y, int64_t direction[3]) {
+FC_COLD void fc_view_direction(const fc_frame *frame, uint16_t x, uint16_t y, int64_t direction[3]) {
   /* below 2^29 by the choice of pixel_shift */
   int32_t one = INT32_C(1) << frame->view.pixel_shift;
   direction[0] = (2 * (int32_t)x + 1 - frame->width) * one;
@@ -167,7 +162,7 @@ void fc_view_direction(const fc_frame *frame, uint16_t x, uint16_t y, int64_t di
   direction[2] = frame->view.focal;
 }
 
-int32_t fc_view_project(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z) {
+FC_COLD int32_t fc_view_project(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z) {
   /* Half pixels from the centre: a F / (z 2^pixel_shift), 32 + 30 bits over at least 1. A divisor beyond 62 bits would
    * overflow: z below 2^31 and pixel_shift below 30 keep it within 61. */
   int64_t half = a * frame->view.focal / (z * (INT64_C(1) << frame->view.pixel_shift));
@@ -178,14 +173,14 @@ int32_t fc_view_project(const fc_frame *frame, uint8_t axis, int64_t a, int64_t 
   return pixel < -4 ? -2 : (int32_t)(pixel / 2);
 }
 
-bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t d[3]) {
+FC_COLD bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t d[3]) {
   if (frame->scene.far_limit == 0) return false;
   /* 30-bit components: below 3 * 2^60 */
-  return fc_root_compare_distance(root, d[0] * d[0] + d[1] * d[1] + d[2] * d[2], frame->scene.far_limit,
+  return fc_root_compare_distance(root, fc_dot(d, d), frame->scene.far_limit,
                                   fc_view_far_exponent(frame)) > 0;
 }
 
-bool fc_window_cut(const fc_frame *frame, fc_window *box) {
+FC_COLD bool fc_window_cut(const fc_frame *frame, fc_window *box) {
   if (box->x0 < 0) box->x0 = 0;
   if (box->y0 < 0) box->y0 = 0;
   if (box->x1 > frame->width - 1) box->x1 = frame->width - 1;
@@ -195,7 +190,7 @@ bool fc_window_cut(const fc_frame *frame, fc_window *box) {
 
 /* The first and last pixel of an axis at which a ball in front of the eye is seen: a, z of its center. The tangents through
  * the eye touch it where a / z = (a z +- r sqrt(a^2 + z^2 - r^2)) / (z^2 - r^2). */
-static void ball_span(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z, int64_t r, int32_t *first, int32_t *last) {
+static FC_COLD void ball_span(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z, int64_t r, int32_t *first, int32_t *last) {
   /* 30-bit factors; z > r > 0 */
   int64_t across = a * z, square = z * z - r * r, reach[2];
   fc_quick root = fc_quick_from((uint64_t)(a * a + square), 0), scale;
@@ -221,7 +216,7 @@ static void ball_span(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z,
   }
 }
 
-bool fc_ball_window(const fc_frame *frame, const int64_t c[3], int64_t r, fc_window *box) {
+FC_COLD bool fc_ball_window(const fc_frame *frame, const int64_t c[3], int64_t r, fc_window *box) {
   box->x0 = box->y0 = 0;
   box->x1 = frame->width - 1;
   box->y1 = frame->height - 1;

@@ -30,8 +30,20 @@ static inline int16_t fc_view_far_exponent(const fc_frame *frame) {
 /* Whether a primary hit is beyond the scene's far limit. */
 bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t direction[3]);
 
+/* Three coordinates; whether they are within +-FC_COORDINATE_MAX. */
+bool fc_load(const fc_vec3 *v, int64_t r[3]);
+
 /* |v| as a value. */
 fc_num fc_length(const int64_t v[3]);
+
+/* The frame's size as its owner sees it. */
+static inline uint16_t fc_view_columns(const fc_frame *frame) {
+  return frame->options.profile == FC_PROFILE_HALF ? (uint16_t)(2 * frame->width - (frame->odd & 1)) : frame->width;
+}
+
+static inline uint16_t fc_view_rows(const fc_frame *frame) {
+  return frame->options.profile == FC_PROFILE_HALF ? (uint16_t)(2 * frame->height - (frame->odd >> 1)) : frame->height;
+}
 
 /* Direction of the ray through pixel (x, y). */
 void fc_view_direction(const fc_frame *frame, uint16_t x, uint16_t y, int64_t direction[3]);

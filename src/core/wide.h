@@ -1,8 +1,8 @@
 /*
- * Multiword integers for the exact fallbacks, and the signs of expressions with square roots.
+ * Whole numbers of any length for exact decisions: a list of values, made by programs of a byte a product.
  *
- * Sign and magnitude, 32-bit limbs, least significant first. The widest value of any fallback is bounded in
- * docs/SPEC.md; results never exceed FC_WIDE_LIMBS. Results may be the same object as an argument.
+ * Sign and magnitude, 16-bit limbs, least significant first: a product of two limbs and two sums fit 32 bits. The values lie one
+ * after the other in the list's own memory; docs/SPEC.md bounds how much the decisions need.
  */
 #ifndef FC_WIDE_H
 #define FC_WIDE_H
@@ -11,30 +11,29 @@
 
 #include "i128.h"
 
-#define FC_WIDE_LIMBS 26
+enum { FC_WIDE_LIMBS = 128, FC_WIDE_VALUES = 18 };
 
 typedef struct fc_wide {
-  int8_t sign;   /* -1, 0, 1 */
-  uint8_t count; /* limbs in use; the highest is not 0 */
-  uint32_t limb[FC_WIDE_LIMBS];
+  uint8_t count;
+  uint8_t start[FC_WIDE_VALUES + 1]; /* first limb of each value, and of what comes next; the highest limb is not 0 */
+  int8_t sign[FC_WIDE_VALUES];       /* -1, 0, 1 */
+  uint16_t limb[FC_WIDE_LIMBS];
 } fc_wide;
 
-void fc_wide_from(fc_wide *r, fc_i128 v);
-void fc_wide_from_i64(fc_wide *r, int64_t v);
-void fc_wide_add(fc_wide *r, const fc_wide *a, const fc_wide *b);
-void fc_wide_sub(fc_wide *r, const fc_wide *a, const fc_wide *b);
-void fc_wide_mul(fc_wide *r, const fc_wide *a, const fc_wide *b);
-void fc_wide_mul_i64(fc_wide *r, const fc_wide *a, int64_t b);
-void fc_wide_shift_left(fc_wide *r, const fc_wide *a, uint16_t s);
-void fc_wide_neg(fc_wide *a);
+void fc_wide_start(fc_wide *w);
+void fc_wide_push(fc_wide *w, const fc_i128 *v);
+void fc_wide_push64(fc_wide *w, int64_t v);
 
-/* a . b over three components. */
-void fc_wide_dot(fc_wide *r, const fc_wide a[3], const fc_wide b[3]);
+/* All but the last n values go. */
+void fc_wide_keep(fc_wide *w, uint8_t n);
 
-/* The sign of x + y sqrt(d), d >= 0: exact, by comparing squares. */
-int8_t fc_surd_sign(const fc_wide *x, const fc_wide *y, const fc_wide *d);
-
-/* The sign of x + y sqrt(d) + z sqrt(e), d, e >= 0. */
-int8_t fc_surd_sign2(const fc_wide *x, const fc_wide *y, const fc_wide *d, const fc_wide *z, const fc_wide *e);
+/*
+ * Appends sums of products. A value is a byte with the numbers of terms to add and to subtract, FC_SUM(a, s), and a byte for each,
+ * FC_TIMES(i, j): the product of the values i and j. A 0 ends the program.
+ */
+#define FC_SUM(plus, minus) ((plus) << 4 | (minus))
+#define FC_TIMES(i, j) ((i) << 4 | (j))
+#define FC_NOTHING FC_SUM(1, 1), FC_TIMES(0, 0), FC_TIMES(0, 0) /* the value 0 */
+void fc_wide_run(fc_wide *w, const uint8_t *program);
 
 #endif

@@ -169,7 +169,6 @@ static int look(uint8_t rule, unsigned long *facing, unsigned long *dark) {
         memset(&segment, 0, sizeof segment);
         memcpy(segment.light, frame.lights + 3 * i, sizeof segment.light);
         segment.root = &surface.root;
-        segment.origin = eye;
         segment.direction = d;
         if (!fc_kind_of(&surface.at)->facing(&surface.form, &surface.prepared, &segment)) continue; /* exact: no valid point */
         (*facing)++;

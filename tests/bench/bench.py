@@ -18,6 +18,7 @@ import counting
 import images
 import linkmap
 from images import Failure, Image, ROOT, RENDERERS, TARGETS
+from plan import PROFILES
 
 OPTS = ("-O2", "-Os", "-O3")
 
@@ -99,7 +100,7 @@ def quick(options):
     seen = work / "last.json"
     last = json.loads(seen.read_text()) if seen.exists() else {}
     todo = itertools.product(options.scene, options.size, options.target, options.opt, options.renderer)
-    right = [measure(workshop, Image(target, renderer, scene, *size, opt, options.profile), options, last)
+    right = [measure(workshop, Image(target, renderer, scene, *size, opt, PROFILES.index(options.profile)), options, last)
              for scene, size, target, opt, renderer in todo]
     seen.write_text(json.dumps(last))
     return 0 if all(right) else 1
@@ -116,7 +117,7 @@ def main():
                         metavar="LEVEL", help="O2, Os, O3")
     parser.add_argument("--renderer", type=list_of(RENDERERS), default=["fixcast"], metavar="NAME",
                         help=", ".join(RENDERERS))
-    parser.add_argument("--profile", type=int, default=0, metavar="N", help="fc_options.profile")
+    parser.add_argument("--profile", choices=PROFILES, default=PROFILES[0], metavar="NAME", help=", ".join(PROFILES))
     parser.add_argument("--profile-functions", action="store_true", help="also print where the instructions go")
     parser.add_argument("--rows", type=int, default=25, metavar="N", help="of that table")
     parser.add_argument("--limit", type=int, metavar="N",

@@ -98,7 +98,7 @@ RENDERERS = {
     "fixcast-rays": core_renderer("-DBY_RAYS"),
     "float": Renderer(RIVALS / "rays.c", RIVALS / "mesh_float.c",
                       flags=("-DREAL=float", "-DSQRT=sqrtf", *RIVAL_FLAGS)),
-    "double": Renderer(RIVALS / "rays.c", flags=("-DREAL=double", "-DSQRT=sqrt", *RIVAL_FLAGS)),
+    "double": Renderer(RIVALS / "rays.c", RIVALS / "mesh_float.c", flags=("-DREAL=double", "-DSQRT=sqrt", *RIVAL_FLAGS)),
     "q16": Renderer(RIVALS / "rays_q16.c", flags=("-DREAL_IS_Q16", *RIVAL_FLAGS)),
     "scan_float": Renderer(RIVALS / "scan_float.c", flags=("-DREAL=float", *RIVAL_FLAGS)),
     "fixed": Renderer(mesh=RIVALS / "mesh_fixed.c", flags=("-DREAL_IS_Q16", *RIVAL_FLAGS)),

@@ -181,9 +181,9 @@ def write_atomically(path, text):
 
 
 def table(rows):
-    head = ("scene", "size", "target", "opt", "renderer", "instr/px", "cycles/px", "flash", "ram", "stack", "ids",
+    head = ("scene", "size", "target", "opt", "renderer", "profile", "instr/px", "cycles/px", "flash", "ram", "stack", "ids",
             "shadows", "rmse", "max", "host/float")
-    keys = ("scene", "size", "target", "opt", "renderer", "instructions_per_pixel", "cycles_per_pixel", "flash_bytes",
+    keys = ("scene", "size", "target", "opt", "renderer", "profile", "instructions_per_pixel", "cycles_per_pixel", "flash_bytes",
             "ram_bytes", "stack_bytes", "wrong_id", "wrong_shadow", "colour_rmse", "colour_max", "host_ratio")
     digits = {"instructions_per_pixel": 1, "cycles_per_pixel": 1, "colour_rmse": 2, "colour_max": 1}
 
@@ -193,7 +193,7 @@ def table(rows):
 
     lines = [head] + [tuple(text(row, key) for key in keys) for row in rows]
     widths = [max(map(len, column)) for column in zip(*lines)]
-    return "\n".join("  ".join(word.ljust(width) if i < 5 else word.rjust(width)
+    return "\n".join("  ".join(word.ljust(width) if i < 6 else word.rjust(width)
                                for i, (word, width) in enumerate(zip(line, widths))).rstrip() for line in lines)
 
 

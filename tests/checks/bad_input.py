@@ -89,6 +89,9 @@ OPTIONS_WRONG = (
     ("world scale of 0", ["--world-scale", "0"], "0"),
     ("world scale over 0", ["--world-scale", "1/0"], "1/0"),
     ("negative world scale", ["--world-scale=-1/4"], "-1/4"),
+    ("unknown profile", ["--profile", "quick"], "quick"),
+    ("empty profile", ["--profile", ""], "--profile"),
+    ("profile without its value", ["--profile"], "--profile"),
     ("unknown option", ["--colour"], "--colour"),
     ("an argument too many", ["surplus"], "surplus"),
     ("option without its value", ["--size"], "--size"),
@@ -173,6 +176,8 @@ def check_options(simulator, directory, report):
     for name, arguments, contains in OPTIONS_WRONG:
         check_refusal(report, name, run(simulator, ["render", scene, "-o", frame, *arguments]), [contains])
     check_refusal(report, "strips of 0 rows", run(simulator, ["render", scene, "-o", frame, "--strip", "0"]), ["--strip"])
+    for command in (["compare", scene], ["pick", scene, "0", "0"]):
+        check_refusal(report, f"unknown profile ({command[0]})", run(simulator, [*command, "--profile", "Half"]), ["Half"])
     check_refusal(report, "no command", run(simulator, []), [])
     check_refusal(report, "unknown command", run(simulator, ["paint", scene]), [])
     check_refusal(report, "no scene", run(simulator, ["render"]), [])

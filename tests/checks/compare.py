@@ -64,12 +64,38 @@ def check_rules(simulator, report):
                  0 < order["e4m12"]["wrong_order"] < order["inverse"]["wrong_order"] < order["e2m14"]["wrong_order"])
 
 
+def check_profiles(simulator, report):
+    """What a profile gives up is what it says, against the oracle; what it keeps is right."""
+    def errors(scene, profile, size):
+        return fixcast_json(simulator, "compare", SCENES / f"{scene}.nff", "--size", size, "--profile", profile)
+
+    for scene in ("s1", "s1r", "s2", "box"):
+        fast = errors(scene, "fast", "128x128")
+        report.equal(f"{scene} fast: wrong ids", 0, fast["wrong_id"])
+        report.check(fast["wrong_shadow"] * 2000 <= 128 * 128, f"{scene} fast: {fast['wrong_shadow']} wrong shadows")
+        if fast["wrong_shadow"] == 0:
+            report.check(fast["colour_max"] <= 4, f"{scene} fast: a colour is {fast['colour_max']} levels off")
+        both = errors(scene, "interlaced", "97x61")
+        report.equal(f"{scene} interlaced: wrong pixels", (0, 0), (both["wrong_id"], both["wrong_shadow"]))
+        report.check(both["colour_max"] <= 1, f"{scene} interlaced: a colour is {both['colour_max']} levels off")
+
+        def picked(profile, x, y):
+            return fixcast_json(simulator, "pick", SCENES / f"{scene}.nff", x, y, "--size", "65x65", "--profile", profile)
+
+        # of an odd size the sample is the block's first pixel
+        for x, y in ((0, 0), (33, 41), (64, 64)):
+            report.equal(f"{scene} half: pick {x} {y}", picked("exact", x // 2 * 2, y // 2 * 2), picked("half", x, y))
+    half = errors("s1", "half", "128x128")
+    report.check(0 < half["wrong_id"] < 128 * 128 / 20, f"s1 half: {half['wrong_id']} wrong ids, which is not what it gives up")
+
+
 def main(simulator):
     report = Report()
     for scene in scene_names():
         check_scene(simulator, scene, report)
     check_world_scale(simulator, report)
     check_rules(simulator, report)
+    check_profiles(simulator, report)
     return report.finish()
 
 

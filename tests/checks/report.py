@@ -63,11 +63,21 @@ def main(source):
 
         rows = json.loads(ROWS.read_text())
         exact = next(row for row in rows if row["renderer"] == "fixcast" and row["scene"] == "s1")
-        fast = dict(exact, profile="fast", instructions_per_pixel=exact["instructions_per_pixel"] / 2, colour_rmse=1.5)
-        bench.write_text(json.dumps([*rows, fast]))
+        cost = exact["instructions_per_pixel"]
+        fast = dict(exact, profile="fast", instructions_per_pixel=cost * 0.98)
+        half = dict(exact, profile="half", instructions_per_pixel=cost / 2, wrong_id=7, colour_rmse=1.5)
+        field = dict(exact, profile="interlaced", instructions_per_pixel=cost * 1.1)
+        bench.write_text(json.dumps([*rows, fast, half, field]))
         run(bench, output, "--stale")
-        report.check("`fast` saves 50 % (138 instructions; no wrong pixel, colour rmse 1.50)" in output.read_text(),
+        text = output.read_text()
+        report.check("`half` saves 50 % (138 instructions; 7 wrong pixels, colour rmse 1.50)" in text,
                      "a profile that is faster is not recommended")
+        report.check("`fast` saves" not in text and "`interlaced` saves" not in text, "a profile that does not pay is recommended")
+        report.equal("a profile's line", ["50 %", "not measured"], bar_of(text, "`half`")[3:5])
+        report.equal("a chip's line", ["S1", "275.4", "269.9 (-2 %)", "137.7 (-50 %)", "302.9 (+10 %)", "7 (half)", "`half`"],
+                     bar_of(text, "Cortex-M0+")[1:])
+        report.equal("headings with profiles", headings((source / "docs/REPORT.md").read_text()), headings(text))
+        report.equal("the promise is exact's alone", False, "BROKEN" in text)
 
         for row in rows:
             row["wrong_id"] = 1 if row["renderer"] == "fixcast" and row["wrong_id"] is not None else row["wrong_id"]

@@ -181,6 +181,7 @@ static void test_g2_filter_never_contradicts_the_exact_sum(void) {
     bool inside = true;
     int i, j;
     int8_t side;
+    form.u.triangle.hidden = 0;
     for (j = 0; j < 3; j++) {
       d[j] = random_any_size(28);
       a[j] = random_any_size(28);

@@ -256,15 +256,17 @@ struct Picture {
   Exact<std::uint32_t> lit;
 };
 
-void render(const fc_frame &frame, std::uint16_t y, std::uint16_t rows, const Picture &to) {
+/* Both fields, where it is drawn by fields. */
+void render(const fc_frame &frame, std::uint16_t width, std::uint16_t y, std::uint16_t rows, const Picture &to) {
   fc_target target{};
   target.pixels = to.pixels.get();
-  target.pitch_bytes = frame.width * std::size_t{3};
+  target.pitch_bytes = width * std::size_t{3};
   target.format = FC_RGB888;
   target.depth = to.depth.get();
   target.primitive = to.primitive.get();
   target.lit = to.lit.get();
-  CHECK(fc_render_rows(&frame, y, rows, &target) == FC_OK);
+  CHECK(fc_render_profile(&frame, 0, y, rows, &target) == FC_OK);
+  CHECK(frame.options.profile != FC_PROFILE_INTERLACED || fc_render_profile(&frame, 1, y, rows, &target) == FC_OK);
 }
 
 template <typename T>
@@ -293,6 +295,10 @@ void check_hit(const fc_scene &scene, const fc_hit &hit) {
 void check_position(const fc_frame &frame, std::uint16_t x, std::uint16_t y, const fc_hit &hit) {
   if (hit.t_q32 == UINT64_MAX) return;
   const fc_view &view = frame.view;
+  if (frame.options.profile == FC_PROFILE_HALF) {
+    x /= 2;
+    y /= 2;
+  }
   const long double half = std::ldexp(1.0L, view.pixel_shift), focal = view.focal;
   const long double across[3] = {(2 * x + 1 - frame.width) * half / focal,
                                  (frame.height - 2 * y - 1) * half / focal, 1};
@@ -308,15 +314,15 @@ void check_position(const fc_frame &frame, std::uint16_t x, std::uint16_t y, con
   }
 }
 
-void check_pixel(const fc_scene &scene, const fc_frame &frame, const Picture &picture, std::uint16_t x,
+void check_pixel(const fc_scene &scene, const fc_frame &frame, const Picture &picture, std::uint16_t width, std::uint16_t x,
                  std::uint16_t y) {
-  const std::size_t i = static_cast<std::size_t>(y) * frame.width + x;
+  const std::size_t i = static_cast<std::size_t>(y) * width + x;
   fc_hit hit{}, again{};
   std::uint32_t lit = 0;
   const int got = fc_pick(&frame, x, y, &hit, &lit);
   CHECK(got == 0 || got == 1);
   CHECK(got == (picture.primitive[i] != 0xffff) && got == (picture.depth[i] != 0));
-  CHECK(lit == picture.lit[i]);
+  CHECK(lit == picture.lit[i] || frame.options.profile == FC_PROFILE_FAST);
   CHECK(fc_pick(&frame, x, y, &again, nullptr) == got);
   if (got == 0) return;
   CHECK(hit.primitive == picture.primitive[i] && hit.object == fc_object(&frame, hit.primitive));
@@ -327,12 +333,13 @@ void check_pixel(const fc_scene &scene, const fc_frame &frame, const Picture &pi
 
 void render_all(fuzz::Bytes &in, Values &values, const fc_scene &scene) {
   const fc_camera camera = any_camera(in, values);
-  const fc_options options = any_options(values);
+  fc_options options = any_options(values);
   const std::uint8_t size = in.u8();
   const bool any_size = values.wild() && in.u8() == 1;
   const auto width = static_cast<std::uint16_t>(any_size ? in.u16() : 1 + size % 8);
   const auto height = static_cast<std::uint16_t>(any_size ? in.u16() : 1 + size / 8 % 8);
   int error = FC_OK;
+  options.profile = size >> 6;
   const std::size_t bytes = fc_frame_memory(&scene, &error);
   CHECK(error == fc_scene_check(&scene));
   const Exact<std::uint8_t> memory(bytes);
@@ -346,12 +353,12 @@ void render_all(fuzz::Bytes &in, Values &values, const fc_scene &scene) {
           FC_ERR_MEMORY);
   }
   const Picture whole(static_cast<std::size_t>(width) * height);
-  render(frame, 0, height, whole);
+  render(frame, width, 0, height, whole);
   const auto strip = static_cast<std::uint16_t>(1 + in.u8() % height);
   for (std::uint16_t y = 0; y < height; y = static_cast<std::uint16_t>(y + strip)) {
     const auto rows = std::min(strip, static_cast<std::uint16_t>(height - y));
     const Picture part(static_cast<std::size_t>(width) * rows);
-    render(frame, y, rows, part);
+    render(frame, width, y, rows, part);
     const std::size_t first = static_cast<std::size_t>(y) * width;
     check_part(whole.pixels, 3 * first, part.pixels);
     check_part(whole.depth, first, part.depth);
@@ -359,7 +366,7 @@ void render_all(fuzz::Bytes &in, Values &values, const fc_scene &scene) {
     check_part(whole.lit, first, part.lit);
   }
   for (std::uint16_t y = 0; y < height; y++)
-    for (std::uint16_t x = 0; x < width; x++) check_pixel(scene, frame, whole, x, y);
+    for (std::uint16_t x = 0; x < width; x++) check_pixel(scene, frame, whole, width, x, y);
 }
 
 void shoot(fuzz::Bytes &in, Values &values, const fc_scene &scene) {

@@ -76,7 +76,7 @@ void check_rows(const fuzz::Exact<T> &buffer, const std::vector<T> &whole, std::
 
 /* What SPEC and the headers promise for these arguments. */
 int expected_error(const Reference &of, std::uint16_t y, std::uint16_t rows, const fc_target &target) {
-  if (target.pixels == nullptr || target.depth == nullptr || target.primitive == nullptr) return FC_ERR_NULL;
+  if (target.pixels == nullptr || target.depth == nullptr) return FC_ERR_NULL;
   if (target.format >= formats) return FC_ERR_FORMAT;
   const std::size_t least = of.width * static_cast<std::size_t>(bytes_of_format[target.format]);
   if (rows < 1 || y + rows > of.height || target.pitch_bytes < least) return FC_ERR_SIZE;
@@ -115,15 +115,15 @@ void render_some(fuzz::Bytes &in, const Reference &of) {
   const int error = fc_render_rows(&of.frame, y, rows, &target);
   CHECK(error == expected_error(of, y, rows, target));
   if (target.lit == nullptr || error != FC_OK) check_untouched(lit);
+  if (target.primitive == nullptr || error != FC_OK) check_untouched(primitive);
   if (error != FC_OK) {
     check_untouched(pixels);
     check_untouched(depth);
-    check_untouched(primitive);
     return;
   }
   const std::size_t first = static_cast<std::size_t>(y) * of.width;
   check_rows(depth, of.depth, first);
-  check_rows(primitive, of.primitive, first);
+  if (target.primitive != nullptr) check_rows(primitive, of.primitive, first);
   if (target.lit != nullptr) check_rows(lit, of.lit, first);
   const std::uint8_t *whole = of.pixels[target.format].data() + y * line;
   for (std::size_t row = 0; row < rows; row++) {

@@ -126,6 +126,7 @@ private:
     }
     options.offset_rule = static_cast<uint8_t>(random_.within(0, 3) ? 0 : random_.within(0, 3));
     options.depth_exponent_bits = static_cast<uint8_t>(random_.flip() ? 0 : random_.within(2, 4));
+    options.profile = random_.within(0, 7) ? FC_PROFILE_EXACT : FC_PROFILE_HALF; /* its samples are a frame too */
     options.epsilon = static_cast<int32_t>(random_.within(0, 100));
     width = static_cast<uint16_t>(random_.within(1, 24));
     height = static_cast<uint16_t>(random_.within(1, 24));
@@ -328,8 +329,8 @@ std::string text_of(fc_vec3 v) { return print("{%ld, %ld, %ld}", static_cast<lon
 std::string text_of(fc_rgb c) { return print("{%u, %u, %u}", c.r, c.g, c.b); }
 
 std::string World::text() const {
-  std::string all = print("\n  %u x %u, offset rule %u, depth exponent bits %u, epsilon %ld", width, height,
-                          options.offset_rule, options.depth_exponent_bits, static_cast<long>(options.epsilon));
+  std::string all = print("\n  %u x %u, profile %u, offset rule %u, depth exponent bits %u, epsilon %ld", width, height,
+                          options.profile, options.offset_rule, options.depth_exponent_bits, static_cast<long>(options.epsilon));
   all += "\n  fc_camera: eye " + text_of(camera.eye) + " target " + text_of(camera.target) + " up " + text_of(camera.up) +
          print(" exponent %d fov_rule %u tan %lu/%lu", camera.exponent, camera.fov_rule,
                static_cast<unsigned long>(camera.tan_half_fov_numerator),
@@ -408,6 +409,52 @@ void render(Render engine, const fc_frame &frame, int format, const std::vector<
   }
 }
 
+/* A field's rows are the frame's, and the others are left as they were. */
+void fields(fc_frame frame, int format, const std::vector<uint16_t> &strips, const Picture &scan, const World &world) {
+  const auto bytes = static_cast<size_t>(bytes_of[format]);
+  if (frame.options.profile != FC_PROFILE_EXACT) return;
+  frame.options.profile = FC_PROFILE_INTERLACED;
+  for (uint16_t field = 0; field < 2; field++) {
+    Picture drawn;
+    const Render engines[] = {
+        [](const fc_frame *f, uint16_t y, uint16_t rows, const fc_target *t) { return fc_render_profile(f, 0, y, rows, t); },
+        [](const fc_frame *f, uint16_t y, uint16_t rows, const fc_target *t) { return fc_render_profile(f, 1, y, rows, t); }};
+    render(engines[field], frame, format, strips, &drawn);
+    for (size_t i = 0; i < scan.depth.size(); i++) {
+      const bool here = i / frame.width % 2 == field;
+      bool right = drawn.primitive[i] == (here ? scan.primitive[i] : 0x5555) && drawn.depth[i] == (here ? scan.depth[i] : 0x5555) &&
+                   drawn.lit[i] == (here ? scan.lit[i] : 0x55555555);
+      for (size_t b = i * bytes; b < (i + 1) * bytes; b++) right = right && drawn.pixels[b] == (here ? scan.pixels[b] : 0x55);
+      if (!right)
+        fail("pixel (%u, %u) is wrong in field %u%s", static_cast<unsigned>(i % frame.width),
+             static_cast<unsigned>(i / frame.width), field, world.text().c_str());
+    }
+  }
+}
+
+/* The fast profile shows the same primitives and depth; colours within 4/255 more where lights are the same. */
+void fast(fc_frame frame, int format, const std::vector<uint16_t> &strips, const Picture &rays, const World &world) {
+  Picture drawn;
+  if (frame.options.profile != FC_PROFILE_EXACT) return;
+  frame.options.profile = FC_PROFILE_FAST;
+  render(fc_render_rows, frame, format, strips, &drawn);
+  for (size_t i = 0; i < rays.depth.size(); i++) {
+    int expected[3], level[3];
+    bool right = drawn.primitive[i] == rays.primitive[i] && drawn.depth[i] == rays.depth[i];
+    channels(rays, i, format, expected);
+    channels(drawn, i, format, level);
+    for (int c = 0; c < 3 && right && drawn.lit[i] == rays.lit[i]; c++) {
+      const int off = std::abs(level[c] - expected[c]), more = format == FC_RGB888 ? 4 : 1;
+      right = off <= 1 + more || off <= more + tolerance(frame, rays.primitive[i], i);
+    }
+    if (!right)
+      fail("pixel (%u, %u) is wrong in the fast profile: %u %u (%d %d %d), by rays %u %u (%d %d %d)%s",
+           static_cast<unsigned>(i % frame.width), static_cast<unsigned>(i / frame.width), drawn.primitive[i], drawn.depth[i],
+           level[0], level[1], level[2], rays.primitive[i], rays.depth[i], expected[0], expected[1], expected[2],
+           world.text().c_str());
+  }
+}
+
 uint64_t engines(Random &random) {
   World world(random);
   std::vector<int64_t> memory(fc_frame_memory(&world.scene, nullptr) / sizeof(int64_t) + 1);
@@ -418,8 +465,8 @@ uint64_t engines(Random &random) {
   if (status != FC_OK) fail("fc_frame_setup: %s%s", fc_error_text(status), world.text().c_str());
   const int format = static_cast<int>(random.within(0, formats - 1));
   Picture rays, scan, strips;
-  render(fc_render_rows_by_rays, frame, format, {0, world.height}, &rays);
-  render(fc_render_rows, frame, format, {0, world.height}, &scan);
+  render(fc_render_rows_by_rays, frame, format, {0, frame.height}, &rays);
+  render(fc_render_rows, frame, format, {0, frame.height}, &scan);
   for (size_t i = 0; i < rays.depth.size(); i++) {
     std::string wrong;
     int expected[3], level[3];
@@ -437,14 +484,14 @@ uint64_t engines(Random &random) {
         wrong = print("channel %d is %d (%d by rays), primitive %u, lights %#x, format %d", c, level[c], expected[c],
                       rays.primitive[i], rays.lit[i], format);
     if (!wrong.empty())
-      fail("pixel (%u, %u): %s%s", static_cast<unsigned>(i % world.width), static_cast<unsigned>(i / world.width),
+      fail("pixel (%u, %u): %s%s", static_cast<unsigned>(i % frame.width), static_cast<unsigned>(i / frame.width),
            wrong.c_str(), world.text().c_str());
   }
   /* strips of any height, in any order */
   std::vector<uint16_t> parts;
-  for (uint16_t y = 0; y < world.height;) {
-    const auto rows = static_cast<uint16_t>(random.within(1, random.flip() ? 2 : world.height - y));
-    const auto kept = std::min<uint16_t>(rows, static_cast<uint16_t>(world.height - y));
+  for (uint16_t y = 0; y < frame.height;) {
+    const auto rows = static_cast<uint16_t>(random.within(1, random.flip() ? 2 : frame.height - y));
+    const auto kept = std::min<uint16_t>(rows, static_cast<uint16_t>(frame.height - y));
     const auto at = static_cast<long>(2 * random.within(0, static_cast<int64_t>(parts.size() / 2)));
     parts.insert(parts.begin() + at, {y, kept});
     y = static_cast<uint16_t>(y + kept);
@@ -465,11 +512,13 @@ uint64_t engines(Random &random) {
       channels(scan, i, format, whole);
       channels(strips, i, format, part);
       fail("pixel (%u, %u) depends on the strips%s: %u %u %#x (%d %d %d) whole, %u %u %#x (%d %d %d) in strips%s",
-           static_cast<unsigned>(i % world.width), static_cast<unsigned>(i / world.width), list.c_str(),
+           static_cast<unsigned>(i % frame.width), static_cast<unsigned>(i / frame.width), list.c_str(),
            scan.primitive[i], scan.depth[i], scan.lit[i], whole[0], whole[1], whole[2], strips.primitive[i],
            strips.depth[i], strips.lit[i], part[0], part[1], part[2], world.text().c_str());
     }
   }
+  fields(frame, format, parts, scan, world);
+  fast(frame, format, parts, rays, world);
   return rays.depth.size();
 }
 

@@ -1,4 +1,4 @@
-/* The rival "float" for meshes: edge functions in float over each triangle's box, 1/z in a 16-bit buffer. */
+/* The rivals "float" and "double" for meshes: edge functions over each triangle's box, 1/z in a 16-bit buffer. */
 #include "pixel.h"
 #include "scene.h"
 
