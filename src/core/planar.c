@@ -347,6 +347,12 @@ static inline chord_ends levels_at(const fc_tint *tint, uint32_t c) {
   return l;
 }
 
+static inline void put_levels(uint32_t rb, uint32_t g, uint8_t *to) {
+  uint32_t packed = ((rb >> 27 << 6 | g >> FC_TINT_BITS) << 5) | rb << 16 >> 27;
+  to[0] = (uint8_t)(packed >> 8);
+  to[1] = (uint8_t)packed;
+}
+
 /* Red and blue are cut to 2^-11 at a chord's ends and so are their steps, downwards: at most 17 2^-11 of a level off in all, and
  * never above both ends; never below 0, as the rounding half is in them. */
 static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
@@ -357,6 +363,7 @@ static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restri
   while (count != 0) {
     uint32_t rb = end.rb, g = end.g, d_rb, d_g, some = bits & chunk;
     uint8_t *at = to;
+    to += 2 << s;
     r->q += (r->dq << s) + q_bend;
     r->dq += r->ddq << s;
     r->g += dg * (INT32_C(1) << s);
@@ -365,17 +372,20 @@ static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restri
     d_g = (uint32_t)fc_floor_shift32(fc_to_i32(end.g - g), s);
     d_rb = ((uint32_t)fc_floor_shift32((int32_t)(end.rb >> 16) - (int32_t)(rb >> 16), s) << 16) +
            (uint32_t)fc_floor_shift32((int32_t)(end.rb & 0xffffu) - (int32_t)(rb & 0xffffu), s);
-    for (; some != 0; some >>= 1) {
-      if (some & 1) {
-        uint32_t packed = ((rb >> 27 << 6 | g >> FC_TINT_BITS) << 5) | rb << 16 >> 27;
-        at[0] = (uint8_t)(packed >> 8);
-        at[1] = (uint8_t)packed;
+    if (some == chunk) {
+      do {
+        put_levels(rb, g, at);
+        at += 2;
+        rb += d_rb;
+        g += d_g;
+      } while (at != to);
+    } else {
+      for (; some != 0; some >>= 1, at += 2) {
+        if (some & 1) put_levels(rb, g, at);
+        rb += d_rb;
+        g += d_g;
       }
-      at += 2;
-      rb += d_rb;
-      g += d_g;
     }
-    to += 2 << s;
     bits >>= 1 << s;
     count = (uint8_t)(count <= 1 << s ? 0 : count - (1 << s));
   }
@@ -415,18 +425,14 @@ static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word];
       uint16_t at = column;
-      uint8_t count = 32, chord;
+      uint8_t count, chord;
       uint32_t least = 0;
       if (bits == 0) continue;
       while (!(bits & 1)) {
         bits >>= 1;
         at++;
-        count--;
       }
-      if (bits >> (count - 1) == 0) { /* what lies behind the last is not needed */
-        count = 0;
-        while (bits >> count != 0) count++;
-      }
+      count = (uint8_t)(32 - fc_clz32(bits)); /* what lies behind the last is not needed */
       /* q is within 2^14, which costs the cosine 2^-11 of itself from 2^24 on; where the forms were just set up it is within
        * 2^10, and 2^20 is enough. A chord's end may lie 15 columns further. */
       if (at == next && word % 4 != 0) least = least_square(&forms, (uint8_t)(count + 14));
