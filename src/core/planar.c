@@ -334,40 +334,58 @@ static FC_HOT void shade_run(const fc_tint *restrict tint, cosine_row *restrict 
  * (|dW| / |W|)^2 cos a sqrt(cos^2 a + 4 sin^2 a) a column, at most 1.16 (|dW| / |W|)^2. A chord over m columns is off by at most
  * m^2 / 8 of that: 2^-8, a quarter of a level in 63, when |W| >= 6.1 m |dW| at its least; ddq is twice |dW|^2.
  */
+typedef struct chord_ends {
+  uint32_t rb; /* red and blue, 5.11 bits each */
+  uint32_t g;
+} chord_ends;
+
+static inline chord_ends levels_at(const fc_tint *tint, uint32_t c) {
+  chord_ends l;
+  l.rb = ((tint->base[0] + tint->slope[0] * c) << (27 - FC_TINT_BITS) & UINT32_C(0xffff0000)) |
+         (tint->base[2] + tint->slope[2] * c) >> (FC_TINT_BITS - 11);
+  l.g = tint->base[1] + tint->slope[1] * c;
+  return l;
+}
+
+static inline void put_levels(uint32_t rb, uint32_t g, uint8_t *to) {
+  uint32_t packed = ((rb >> 27 << 6 | g >> FC_TINT_BITS) << 5) | rb << 16 >> 27;
+  to[0] = (uint8_t)(packed >> 8);
+  to[1] = (uint8_t)packed;
+}
+
+/* Red and blue are cut to 2^-11 at a chord's ends and so are their steps, downwards: at most 17 2^-11 of a level off in all, and
+ * never above both ends; never below 0, as the rounding half is in them. */
 static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
-                                     uint32_t bits, uint8_t *restrict to, uint8_t s) {
+                                uint32_t bits, uint8_t *restrict to, uint8_t s) {
   /* s steps at once: q by m dq + m (m - 1) / 2 ddq */
   const uint32_t q_bend = (r->ddq << (2 * s - 1)) - (r->ddq << (s - 1)), chunk = (UINT32_C(1) << (1 << s)) - 1;
-  uint32_t level[3], c = cosine_of(r->q, r->g);
-  level[0] = tint->base[0] + tint->slope[0] * c;
-  level[1] = tint->base[1] + tint->slope[1] * c;
-  level[2] = tint->base[2] + tint->slope[2] * c;
+  chord_ends end = levels_at(tint, cosine_of(r->q, r->g));
   while (count != 0) {
-    uint32_t red = level[0], green = level[1], blue = level[2], d_red, d_green, d_blue, some = bits & chunk;
+    uint32_t rb = end.rb, g = end.g, d_rb, d_g, some = bits & chunk;
     uint8_t *at = to;
+    to += 2 << s;
     r->q += (r->dq << s) + q_bend;
     r->dq += r->ddq << s;
     r->g += dg * (INT32_C(1) << s);
-    c = cosine_of(r->q, r->g);
-    level[0] = tint->base[0] + tint->slope[0] * c;
-    level[1] = tint->base[1] + tint->slope[1] * c;
-    level[2] = tint->base[2] + tint->slope[2] * c;
-    /* differences of levels below 2^29 */
-    d_red = (uint32_t)fc_floor_shift32(fc_to_i32(level[0] - red), s);
-    d_green = (uint32_t)fc_floor_shift32(fc_to_i32(level[1] - green), s);
-    d_blue = (uint32_t)fc_floor_shift32(fc_to_i32(level[2] - blue), s);
-    for (; some != 0; some >>= 1) {
-      if (some & 1) {
-        uint32_t packed = (((red >> FC_TINT_BITS) << 6 | green >> FC_TINT_BITS) << 5) | blue >> FC_TINT_BITS;
-        at[0] = (uint8_t)(packed >> 8);
-        at[1] = (uint8_t)packed;
+    end = levels_at(tint, cosine_of(r->q, r->g));
+    /* differences of levels below 2^29 and 2^16 */
+    d_g = (uint32_t)fc_floor_shift32(fc_to_i32(end.g - g), s);
+    d_rb = ((uint32_t)fc_floor_shift32((int32_t)(end.rb >> 16) - (int32_t)(rb >> 16), s) << 16) +
+           (uint32_t)fc_floor_shift32((int32_t)(end.rb & 0xffffu) - (int32_t)(rb & 0xffffu), s);
+    if (some == chunk) {
+      do {
+        put_levels(rb, g, at);
+        at += 2;
+        rb += d_rb;
+        g += d_g;
+      } while (at != to);
+    } else {
+      for (; some != 0; some >>= 1, at += 2) {
+        if (some & 1) put_levels(rb, g, at);
+        rb += d_rb;
+        g += d_g;
       }
-      at += 2;
-      red += d_red;
-      green += d_green;
-      blue += d_blue;
     }
-    to += 2 << s;
     bits >>= 1 << s;
     count = (uint8_t)(count <= 1 << s ? 0 : count - (1 << s));
   }
@@ -387,10 +405,10 @@ static uint32_t least_square(const cosine_row *r, uint8_t n) {
   return drop < r->q ? r->q - (uint32_t)drop : 0;
 }
 
-/* The longest chords that are good enough for q from `least` on: 2^s pixels; 0: none. 6.1^2 m^2 / 2 = 1191, 298, 75. */
+/* The longest chords that are good enough for q from `least` on: 2^s pixels; 0: none. 6.1^2 m^2 / 2 = 4764, 1191, 298, 75. */
 static uint8_t chord_of(uint32_t least, uint32_t ddq) {
   uint32_t q = least >> 8;
-  return q >> 2 >= ddq + (ddq >> 2) ? 3 : q >> 1 >= ddq ? 2 : q >= ddq ? 1 : 0;
+  return q >> 4 >= ddq + (ddq >> 2) ? 4 : q >> 2 >= ddq + (ddq >> 2) ? 3 : q >> 1 >= ddq ? 2 : q >= ddq ? 1 : 0;
 }
 
 static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
@@ -407,18 +425,14 @@ static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word];
       uint16_t at = column;
-      uint8_t count = 32, chord;
+      uint8_t count, chord;
       uint32_t least = 0;
       if (bits == 0) continue;
       while (!(bits & 1)) {
         bits >>= 1;
         at++;
-        count--;
       }
-      if (bits >> (count - 1) == 0) { /* what lies behind the last is not needed */
-        count = 0;
-        while (bits >> count != 0) count++;
-      }
+      count = (uint8_t)(32 - fc_clz32(bits)); /* what lies behind the last is not needed */
       /* q is within 2^14, which costs the cosine 2^-11 of itself from 2^24 on; where the forms were just set up it is within
        * 2^10, and 2^20 is enough. A chord's end may lie 15 columns further. */
       if (at == next && word % 4 != 0) least = least_square(&forms, (uint8_t)(count + 14));
@@ -433,7 +447,7 @@ static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g
       }
       fc_scan_lit(scan, row, at, bits);
       chord = scan->tint.plain ? chord_of(least, forms.ddq) : 0;
-      if (chord != 0) chord = (uint8_t)(chord + fast);
+      if (chord != 0 && chord < 4) chord = (uint8_t)(chord + fast);
       if (chord != 0) {
         shade_chords(&scan->tint, &forms, g->dx, count, bits, fc_scan_pixel(scan, row, at), chord);
         next = count % (1 << chord) == 0 ? (uint16_t)(at + count) : UINT16_MAX;

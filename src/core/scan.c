@@ -151,21 +151,25 @@ static FC_COLD bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t col
 /* Up to 32 pixels in one octave and within the far limit, as depth codes with 16 fraction bits, half and open / 2 added;
  * returns those shown: 1 is the first. */
 static FC_HOT uint32_t affine_codes(const fc_scan *scan, uint16_t row, uint16_t column, uint8_t count, uint32_t at,
-                                         uint32_t step, uint32_t open) {
-  uint16_t *depth = fc_scan_depth(scan, row, column), *end = depth + count;
-  uint32_t bits = 0, bit = 1;
+                                    uint32_t step, uint32_t open) {
+  uint16_t *const first = fc_scan_depth(scan, row, column), *depth = first;
+  const uint8_t spare = (uint8_t)(32 - count);
+  /* the last pixel's is the highest bit, so that the loop ends when the bit is shifted out */
+  uint32_t bits = 0, bit = UINT32_C(1) << spare;
+  open <<= 16;
   do {
-    uint32_t code = at >> 16, there = *depth;
-    if ((at & 0xffffu) <= open || code == there) {
-      if (fc_scan_exact(scan, row, (uint16_t)(column + count - (end - depth)))) bits |= bit;
-    } else if (code > there) {
+    uint32_t code = at >> 16;
+    if (at << 16 > open && code > *depth) {
       *depth = (uint16_t)code;
       bits |= bit;
+    } else if (at << 16 <= open || code == *depth) {
+      if (fc_scan_exact(scan, row, (uint16_t)(column + (depth - first)))) bits |= bit;
     }
     at += step;
+    depth++;
     bit <<= 1;
-  } while (++depth != end);
-  return bits;
+  } while (bit != 0);
+  return bits >> spare;
 }
 
 /* Depth codes of pixels in one octave, with 16 fraction bits, half and open / 2 added, and the step between them. */
