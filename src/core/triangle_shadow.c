@@ -189,15 +189,20 @@ static bool set_passed(const fc_planar *receiver, const int32_t a[3][3], int8_t 
   return true;
 }
 
+/* Edges seen from the light over the tile, in 16 bits: N.W / 4 at three corners of it. */
+typedef struct edge_glance {
+  int32_t at, right, down;
+} edge_glance;
+
 /*
  * Whether a triangle seen from the light is clear of the tile's four directions, in 16 bits: on the outer side of one edge (sign
- * known), or on different sides of two.
+ * known), or on different sides of two. Where it is not, `edges` are what was found.
  */
-static bool misses(const fc_planar *receiver, const int32_t a[3][3], int8_t sign) {
+static bool misses(const fc_planar *receiver, const int32_t a[3][3], int8_t sign, edge_glance edges[3]) {
   /*
    * Vertices and edges cut to 14 bits, off by less than 1 a component: N = A x E, below 2^29, is off by less than 4 2^14 + 2; cut by
    * 2^14 by less than 6. W, cut to 14 bits, is off by less than 2 (w.error is below 2^14). So N.W, below 3 2^29, is off by less than
-   * 3 (2^15 2 + 2^14 6 + 12) < 2^19.
+   * 3 (2^15 2 + 2^14 6 + 12) = 491556 < 2^19.
    */
   const int32_t error = INT32_C(1) << 19;
   uint32_t all = 0;
@@ -208,7 +213,7 @@ static bool misses(const fc_planar *receiver, const int32_t a[3][3], int8_t sign
   shift = all >> 14 == 0 ? 0 : (uint8_t)(18 - fc_clz32(all));
   for (i = 0; i < 3; i++) {
     const int32_t *from = a[i], *to = a[next(i)];
-    int32_t v[3], e[3], n[3], low = INT32_MAX, high = INT32_MIN;
+    int32_t v[3], e[3], n[3], value[4], low = INT32_MAX, high = INT32_MIN;
     uint8_t cut;
     all = 0;
     for (j = 0; j < 3; j++) {
@@ -231,13 +236,56 @@ static bool misses(const fc_planar *receiver, const int32_t a[3][3], int8_t sign
     n[2] = fc_floor_shift32(v[0] * e[1] - v[1] * e[0], 14);
     for (j = 0; j < 4; j++) {
       const int16_t *w = receiver->corner[j];
-      int32_t value = n[0] * w[0] + n[1] * w[1] + n[2] * w[2];
-      if (value < low) low = value;
-      if (value > high) high = value;
+      value[j] = n[0] * w[0] + n[1] * w[1] + n[2] * w[2];
+      if (value[j] < low) low = value[j];
+      if (value[j] > high) high = value[j];
     }
     if (high < -error) outside = true;
     if (low > error) inside = true;
     if (sign < 0 ? inside : sign > 0 ? outside : inside && outside) return true;
+    edges[i].at = fc_floor_shift32(value[0], 2);
+    edges[i].right = fc_floor_shift32(value[1], 2) - edges[i].at; /* below 2^30 */
+    edges[i].down = fc_floor_shift32(value[2], 2) - edges[i].at;
+  }
+  return false;
+}
+
+/* Whether the mask has a pixel of a row between two columns. */
+static bool shows(const fc_scan *scan, int32_t row, int32_t first, int32_t last) {
+  const uint32_t *mask = scan->mask + row * scan->words;
+  int32_t word;
+  for (word = first / 32; word <= last / 32; word++) {
+    uint32_t bits = mask[word];
+    if (word == first / 32) bits &= UINT32_MAX << (first % 32);
+    if (word == last / 32) bits &= UINT32_MAX >> (31 - last % 32);
+    if (bits != 0) return true;
+  }
+  return false;
+}
+
+/*
+ * Whether some masked pixel may lie inside the edges at a glance. With the error e at three corners, a form between
+ * them is off by at most 3 e, for 1 - x - y, x and y are within 1; steps are off by less than 3 each.
+ */
+static bool touches(const fc_scan *scan, const fc_planar *receiver, const edge_glance edges[3], int8_t sign) {
+  const uint16_t columns = (uint16_t)(receiver->right - receiver->left + 1), rows = (uint16_t)(receiver->bottom - receiver->top + 1);
+  const int32_t margin = 3 * (491556 / 4 + 2) + 3 * (columns + rows);
+  int32_t at[3], dx[3], dy[3], row = 0, bottom = rows - 1;
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    int32_t right = sign < 0 ? -edges[i].right : edges[i].right, down = sign < 0 ? -edges[i].down : edges[i].down;
+    at[i] = (sign < 0 ? -edges[i].at : edges[i].at) + margin;
+    dx[i] = fc_smulhi32(right, receiver->per_column);
+    dy[i] = fc_smulhi32(down, receiver->per_row);
+    fc_facet_cut(at[i] + (right > 0 ? right : 0), dy[i], 0, rows, &row, &bottom);
+    if (row > bottom) return false;
+  }
+  for (i = 0; i < 3; i++) at[i] += dy[i] * row;
+  for (; row <= bottom; row++) {
+    int32_t first = 0, last = columns - 1;
+    for (i = 0; i < 3 && first <= last; i++) fc_facet_cut(at[i], dx[i], 0, columns, &first, &last);
+    if (first <= last && shows(scan, row + receiver->top, first + receiver->left, last + receiver->left)) return true;
+    for (i = 0; i < 3; i++) at[i] += dy[i];
   }
   return false;
 }
@@ -272,7 +320,12 @@ void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind 
     a[1][j] = (int32_t)form->u.triangle.vertex[1][j] - light;
     a[2][j] = (int32_t)form->u.triangle.vertex[2][j] - light;
   }
-  if (receiver->w.error >> 14 == 0 && misses(receiver, (const int32_t(*)[3])a, form->u.triangle.hidden)) return;
+  if (receiver->w.error >> 14 == 0) {
+    const int8_t hidden = form->u.triangle.hidden;
+    edge_glance edges[3];
+    if (misses(receiver, (const int32_t(*)[3])a, hidden, edges)) return;
+    if (hidden != 0 && !touches(scan, receiver, edges, hidden)) return;
+  }
   sides = sides_of(receiver, form);
   if (!(sides & 1)) return;
   for (i = 0; i < 3; i++) {
