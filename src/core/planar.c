@@ -193,10 +193,20 @@ static bool row_ends(const fc_scan *scan, uint16_t row, uint16_t ends[2]) {
   return true;
 }
 
+/* Tiles of fewer pixels are taken as they are. */
+#define SMALL_TILE 64
+
 /* The rectangle that a tile's mask shows; false when it is empty. */
 static bool find_rectangle(const fc_scan *scan, fc_planar *planar) {
   uint16_t row, ends[2];
   bool any = false;
+  if (scan->columns * scan->rows < SMALL_TILE) {
+    planar->left = 0;
+    planar->right = (uint16_t)(scan->columns - 1);
+    planar->top = scan->first_row;
+    planar->bottom = scan->last_row;
+    return true;
+  }
   for (row = scan->first_row; row <= scan->last_row; row++) {
     if (!row_ends(scan, row, ends)) continue;
     if (!any) {
@@ -277,7 +287,7 @@ static void set_corners(fc_planar *planar) {
     const int32_t w = planar->w.at[j] + planar->w.dx[j] * planar->left + planar->w.dy[j] * planar->top;
     const int32_t right = planar->w.dx[j] * columns, down = planar->w.dy[j] * rows;
     for (i = 0; i < 4; i++)
-      planar->corner[i][j] = (int16_t)fc_floor_shift32(w + (i & 1 ? right : 0) + (i & 2 ? down : 0), 16);
+      planar->corner[i][j] = (int16_t)fc_floor_shift32(w + (i & 1 ? right : 0) + (i & 2 ? down : 0) + 0x8000, 16);
   }
   planar->per_column = columns > 0 ? UINT32_MAX / columns : 0;
   planar->per_row = rows > 0 ? UINT32_MAX / rows : 0;
@@ -290,7 +300,7 @@ static void cast_shadows(fc_scan *scan, fc_planar *planar, const int64_t *hull, 
   set_corners(planar);
   if (corners == 0 && sieve)
     cast_from_tile(scan, planar);
-  else if (!sieve || scan->columns * scan->rows < 64 || !cast_from_part(scan, planar))
+  else if (!sieve || scan->columns * scan->rows < SMALL_TILE || !cast_from_part(scan, planar))
     cast_from(scan, planar, hull, corners, 1);
 }
 

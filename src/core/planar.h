@@ -25,7 +25,7 @@ struct fc_planar {
   fc_i128 exact_k;
   fc_sheaf w;        /* from the light to the points of the tile */
   uint16_t left, right, top, bottom; /* the rectangle that the tile's mask shows */
-  int16_t corner[4][3]; /* floor(W / 2^16) at its corners */
+  int16_t corner[4][3]; /* round(W / 2^16) at its corners */
   uint32_t per_column, per_row; /* 2^32 / steps between them, below by less than 2 */
 };
 

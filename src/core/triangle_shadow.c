@@ -200,17 +200,17 @@ typedef struct edge_glance {
  */
 static bool misses(const fc_planar *receiver, const int32_t a[3][3], int8_t sign, edge_glance edges[3]) {
   /*
-   * Vertices and edges cut to 14 bits, off by less than 1 a component: N = A x E, below 2^29, is off by less than 4 2^14 + 2; cut by
-   * 2^14 by less than 6. W, cut to 14 bits, is off by less than 2 (w.error is below 2^14). So N.W, below 3 2^29, is off by less than
-   * 3 (2^15 2 + 2^14 6 + 12) = 491556 < 2^19.
+   * Vertices and edges cut to 15 bits (-2^15 .. 2^15 - 1), off by less than 1 a component: N = A x E, within 2^31 - 2^15, is off by
+   * less than 2^17 + 2; cut by 2^16 to 15 bits by less than 3.001. W, rounded to 14 bits, is off by less than 3/4 (w.error is
+   * below 2^14). So N.W, below 3 2^29, is off by less than 3 (3.001 2^14 + 3/4 2^15 + 3) = 147515 + 73728.
    */
-  const int32_t error = INT32_C(1) << 19;
+  const int32_t error = 221300;
   uint32_t all = 0;
   uint8_t i, j, shift;
   bool outside = false, inside = false;
   for (i = 0; i < 3; i++)
     for (j = 0; j < 3; j++) all |= fc_abs32(a[i][j]);
-  shift = all >> 14 == 0 ? 0 : (uint8_t)(18 - fc_clz32(all));
+  shift = all >> 15 == 0 ? 0 : (uint8_t)(17 - fc_clz32(all));
   for (i = 0; i < 3; i++) {
     const int32_t *from = a[i], *to = a[next(i)];
     int32_t v[3], e[3], n[3], value[4], low = INT32_MAX, high = INT32_MIN;
@@ -223,17 +223,17 @@ static bool misses(const fc_planar *receiver, const int32_t a[3][3], int8_t sign
     }
     if (all == 0) return false;
     cut = (uint8_t)fc_clz32(all);
-    if (cut < 18) {
-      cut = (uint8_t)(18 - cut);
+    if (cut < 17) {
+      cut = (uint8_t)(17 - cut);
       e[0] = fc_floor_shift32(e[0], cut);
       e[1] = fc_floor_shift32(e[1], cut);
       e[2] = fc_floor_shift32(e[2], cut);
     } else {
-      for (j = 0; j < 3; j++) e[j] *= INT32_C(1) << (cut - 18);
+      for (j = 0; j < 3; j++) e[j] *= INT32_C(1) << (cut - 17);
     }
-    n[0] = fc_floor_shift32(v[1] * e[2] - v[2] * e[1], 14);
-    n[1] = fc_floor_shift32(v[2] * e[0] - v[0] * e[2], 14);
-    n[2] = fc_floor_shift32(v[0] * e[1] - v[1] * e[0], 14);
+    n[0] = fc_floor_shift32(v[1] * e[2] - v[2] * e[1], 16);
+    n[1] = fc_floor_shift32(v[2] * e[0] - v[0] * e[2], 16);
+    n[2] = fc_floor_shift32(v[0] * e[1] - v[1] * e[0], 16);
     for (j = 0; j < 4; j++) {
       const int16_t *w = receiver->corner[j];
       value[j] = n[0] * w[0] + n[1] * w[1] + n[2] * w[2];
@@ -264,12 +264,13 @@ static bool shows(const fc_scan *scan, int32_t row, int32_t first, int32_t last)
 }
 
 /*
- * Whether some masked pixel may lie inside the edges at a glance. With the error e at three corners, a form between
- * them is off by at most 3 e, for 1 - x - y, x and y are within 1; steps are off by less than 3 each.
+ * Whether some masked pixel may lie inside the edges at a glance. What N is off tells as at the corners, what W is off up to
+ * three times as much between them, for 1 - x - y, x and y are within 1: 147515 + 3 * 73728 < 4 * 92200. Steps are
+ * off by less than 3 each.
  */
 static bool touches(const fc_scan *scan, const fc_planar *receiver, const edge_glance edges[3], int8_t sign) {
   const uint16_t columns = (uint16_t)(receiver->right - receiver->left + 1), rows = (uint16_t)(receiver->bottom - receiver->top + 1);
-  const int32_t margin = 3 * (491556 / 4 + 2) + 3 * (columns + rows);
+  const int32_t margin = 92200 + 6 + 3 * (columns + rows);
   int32_t at[3], dx[3], dy[3], row = 0, bottom = rows - 1;
   uint8_t i;
   for (i = 0; i < 3; i++) {
