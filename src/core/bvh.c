@@ -115,7 +115,7 @@ static bool far_off(const cell_box *box) {
 /* Moves a far end of the sweep towards the other one, past what is beyond one side of the root; returns how far, Q62. The sides
  * that an end is beyond are left one by one, so bisection finds where the last of them is. Halving bounds by floor and ceiling
  * gives floor((B - A) / 2^n), so each step taken loosens the box by less than 1. */
-static uint64_t draw_near(cell_box *end, const cell_box *other) {
+static FC_COLD uint64_t draw_near(cell_box *end, const cell_box *other) {
   uint64_t moved = 0, part = UINT64_C(1) << 62;
   cell_box step, next;
   uint8_t faces = beyond(end), i;
@@ -174,7 +174,7 @@ static void set_bound(bound *b, int64_t start, int64_t change) {
 }
 
 /* Rounds a t up to the sweep's Q31. */
-static uint32_t part_of(const sweep *s, fc_num t) {
+static FC_COLD uint32_t part_of(const sweep *s, fc_num t) {
   const uint64_t one = UINT64_C(1) << 31;
   uint64_t at = fc_num_round(t, 62 - s->scale); /* t < 2^scale (1 + 2^-56) unless it saturates */
   fc_num q;
@@ -186,7 +186,7 @@ static uint32_t part_of(const sweep *s, fc_num t) {
 }
 
 /* The end of a ray: farther out than anything can be, 2^31 in world space and 2^30 in a camera's. */
-static uint8_t ray_end(const fc_reach *reach, int64_t to[3]) {
+static FC_COLD uint8_t ray_end(const fc_reach *reach, int64_t to[3]) {
   uint8_t bits = fc_vector_bits(reach->to), from = fc_vector_bits(reach->from), i, scale;
   /* the largest component is at least 2^(33 - 1) and twice the origin's */
   scale = (uint8_t)((from > 31 ? from + 2 : 33) - bits);
@@ -344,7 +344,7 @@ static bool search(const fc_bvh *bvh, const fc_space *space, fc_reach *reach, fc
 
 /* ---- trust ---- */
 
-uint32_t fc_bvh_count(const fc_scene *scene) {
+FC_COLD uint32_t fc_bvh_count(const fc_scene *scene) {
   uint32_t count = 0;
   fc_space space;
   fc_cursor cursor;
@@ -357,7 +357,7 @@ uint32_t fc_bvh_count(const fc_scene *scene) {
 
 /* Every number of the order once: 512 of them at a time, marked in a bitmap. As there are as many as finite primitives, and
  * leaves_hold finds each to be one, none is missing then. */
-static bool each_once(const fc_bvh *bvh) {
+static FC_COLD bool each_once(const fc_bvh *bvh) {
   uint32_t first;
   for (first = 0; first < FC_PRIMITIVES_MAX; first += 512) {
     uint32_t seen[16];
@@ -380,7 +380,7 @@ static bool each_once(const fc_bvh *bvh) {
   return true;
 }
 
-static bool leaf_holds(const fc_bvh *bvh, const fc_space *space, uint32_t leaf, fc_cursor *at) {
+static FC_COLD bool leaf_holds(const fc_bvh *bvh, const fc_space *space, uint32_t leaf, fc_cursor *at) {
   fc_bvh_node copy;
   const fc_bvh_node *node = node_at(bvh, fc_bvh_leaves(bvh) + leaf, &copy);
   int64_t box_low[3], box_high[3], origin[3];
@@ -404,7 +404,7 @@ static bool leaf_holds(const fc_bvh *bvh, const fc_space *space, uint32_t leaf, 
   return true;
 }
 
-static bool holds(const fc_bvh *bvh, uint32_t node, uint32_t child) {
+static FC_COLD bool holds(const fc_bvh *bvh, uint32_t node, uint32_t child) {
   fc_bvh_node copy[2];
   const fc_bvh_node *outer = node_at(bvh, node, &copy[0]), *inner = node_at(bvh, child, &copy[1]);
   uint8_t j;
@@ -414,7 +414,7 @@ static bool holds(const fc_bvh *bvh, uint32_t node, uint32_t child) {
   return true;
 }
 
-static int check(const fc_scene *scene, const fc_bvh *bvh) {
+static FC_COLD int check(const fc_scene *scene, const fc_bvh *bvh) {
   uint32_t leaves, i;
   fc_space space;
   fc_cursor at;

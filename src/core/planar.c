@@ -144,7 +144,7 @@ bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const 
   return true;
 }
 
-void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder) {
+FC_COLD void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder) {
   uint16_t row, column;
   for (row = scan->first_row; row <= scan->last_row; row++)
     for (column = 0; column < scan->columns; column++) {
@@ -169,7 +169,7 @@ static bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
 }
 
 /* Where the ray through a pixel of the tile meets the plane, or the one of its cut normal; false when it does not, or too far away. */
-static bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
+static FC_COLD bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
   static const int64_t eye[3] = {0, 0, 0};
   int64_t d[3], nd;
   fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
@@ -180,7 +180,7 @@ static bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uin
 }
 
 /* First and last pixel of a row's mask; false when it is empty. */
-static bool row_ends(const fc_scan *scan, uint16_t row, uint16_t ends[2]) {
+static FC_COLD bool row_ends(const fc_scan *scan, uint16_t row, uint16_t ends[2]) {
   const uint32_t *mask = scan->mask + row * scan->words;
   uint16_t first = 0, last = (uint16_t)(32 * scan->words - 1);
   while (first < last && mask[first / 32] == 0) first = (uint16_t)(first + 32);
@@ -197,7 +197,7 @@ static bool row_ends(const fc_scan *scan, uint16_t row, uint16_t ends[2]) {
 #define SMALL_TILE 64
 
 /* The rectangle that a tile's mask shows; false when it is empty. */
-static bool find_rectangle(const fc_scan *scan, fc_planar *planar) {
+static FC_COLD bool find_rectangle(const fc_scan *scan, fc_planar *planar) {
   uint16_t row, ends[2];
   bool any = false;
   if (scan->columns * scan->rows < SMALL_TILE) {
@@ -225,7 +225,7 @@ static bool find_rectangle(const fc_scan *scan, fc_planar *planar) {
 /* Corners around the points of the plane that a tile's mask shows: those of the mask's rectangle; where they lie beyond the
  * horizon, the ends of its rows. Lines of pixels are lines on the plane, so hulls are hulls. Returns their number, 0 where
  * they are too far away. */
-static FC_NOINLINE uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, int64_t points[6 * FC_SCAN_ROWS]) {
+static FC_COLD uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, int64_t points[6 * FC_SCAN_ROWS]) {
   uint16_t row, ends[2];
   uint8_t count = 0, i;
   for (i = 0; i < 4; i++)
@@ -240,7 +240,7 @@ static FC_NOINLINE uint8_t find_hull(const fc_scan *scan, const fc_planar *plana
 }
 
 /* Hands those who may stand between the light and the hull to cast_one. */
-static void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners, int64_t radius) {
+static FC_COLD void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners, int64_t radius) {
   fc_space space = fc_space_of_frame(scan->frame);
   caster c;
   fc_reach reach;
@@ -254,7 +254,7 @@ static void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hul
   (void)fc_space_search(&space, corners > 0 ? &reach : NULL, cast_one, &c);
 }
 
-static FC_NOINLINE void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
+static FC_COLD void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
   int64_t points[6 * FC_SCAN_ROWS];
   cast_from(scan, planar, points, find_hull(scan, planar, points), 1); /* corners are rounded */
 }
@@ -264,7 +264,7 @@ static FC_NOINLINE void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
  * off by `slack` <= 2^33 and n.D by 3 * 2^30: with both at least 2^50, points move by less than 2^-16 of themselves. False when
  * that does not hold.
  */
-static FC_NOINLINE bool cast_from_part(fc_scan *scan, const fc_planar *planar) {
+static FC_COLD bool cast_from_part(fc_scan *scan, const fc_planar *planar) {
   int64_t points[12], radius = 1;
   uint8_t i, bits = 0;
   if (planar->slack != 0 && planar->k >> 50 == 0) return false;
@@ -280,7 +280,7 @@ static FC_NOINLINE bool cast_from_part(fc_scan *scan, const fc_planar *planar) {
   return true;
 }
 
-static void set_corners(fc_planar *planar) {
+static FC_COLD void set_corners(fc_planar *planar) {
   const uint16_t columns = (uint16_t)(planar->right - planar->left), rows = (uint16_t)(planar->bottom - planar->top);
   uint8_t i, j;
   for (j = 0; j < 3; j++) {

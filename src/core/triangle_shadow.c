@@ -103,7 +103,7 @@ static uint8_t sides_of(const fc_planar *receiver, const fc_form *form) {
 }
 
 /* Darkens the masked pixels of a row between two columns. */
-static void darken(fc_scan *scan, uint16_t row, int32_t first, int32_t last) {
+static FC_COLD void darken(fc_scan *scan, uint16_t row, int32_t first, int32_t last) {
   int32_t word;
   for (word = first / 32; word <= last / 32; word++) {
     uint32_t bits = scan->mask[row * scan->words + word];
@@ -113,7 +113,7 @@ static void darken(fc_scan *scan, uint16_t row, int32_t first, int32_t last) {
   }
 }
 
-static void ask(fc_scan *scan, uint16_t row, int32_t column, const fc_kind *kind, const fc_form *form) {
+static FC_COLD void ask(fc_scan *scan, uint16_t row, int32_t column, const fc_kind *kind, const fc_form *form) {
   uint32_t bit = UINT32_C(1) << (column % 32);
   if ((scan->mask[row * scan->words + column / 32] & bit) && fc_scan_blocked(scan, row, (uint16_t)column, kind, form))
     fc_planar_darken(scan, row, (uint16_t)column, bit);
@@ -158,7 +158,7 @@ static void cast(fc_scan *scan, const fc_facet *facet, const int32_t more[3], ui
  * The fourth form: W.M > 0 with M = h s n' - |v| n, n' the triangle's normal, v = n'.A, s its sign, h the light's height: where
  * the line meets the triangle's plane before the receiver. False when it cannot be told.
  */
-static bool set_passed(const fc_planar *receiver, const int32_t a[3][3], int8_t sign, shadow_form *form) {
+static FC_COLD bool set_passed(const fc_planar *receiver, const int32_t a[3][3], int8_t sign, shadow_form *form) {
   int32_t ab[3], ac[3], across[3], m[3];
   int64_t wide[3], volume, height;
   uint64_t h, v, off, blur_h, blur_v;
