@@ -88,7 +88,7 @@ FC_COLD int8_t fc_scan_far(const fc_scan *scan, uint16_t row, uint16_t column, u
   limit >>= s;
   {
     /* relative errors below 2^-27 in all, the square cut by 1, and 2 p error + error^2 from p */
-    uint64_t slack = (limit >> 26) + ((uint64_t)frame->far_scale >> s) + (((uint64_t)2 * p + error) * error >> 8) + 4;
+    uint64_t slack = (limit >> 22) + ((uint64_t)frame->far_scale >> s) + (((uint64_t)2 * p + error) * error >> 8) + 4;
     if (have > limit + slack) return 1;
     if (have + slack < limit) return -1;
   }
