@@ -375,21 +375,19 @@ static FC_NOINLINE uint32_t *face_octave(const facing *of, int32_t along, uint32
 /* Turns p of the pixels in `bits` into s - h in Q24 (of others, too); returns those that are within the margin, or out of
  * reach, and in *averted those that do not face the light. */
 static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *first, uint32_t *averted) {
-  uint32_t open = 0, dark = 0, close = 0, left, *p = first, *end = first;
+  uint32_t open = 0, dark = 0, close = 0, left = bits, *p = first;
+  const uint32_t *end = first + (32 - fc_clz32(bits));
   facing of;
   of.dx = light->dx;
   of.away = light->away;
   of.margin = (uint32_t)light->margin;
-  for (left = bits; left != 0; left >>= 1) end++;
-  while (p != end) {
-    uint32_t bit = UINT32_C(1) << (p - first), v = *p;
+  for (;;) {
+    uint32_t bit;
     uint8_t octave;
     int16_t down;
-    if (!(bits & bit)) {
-      p++;
-      continue;
-    }
-    octave = (uint8_t)(31 - fc_clz32(v)); /* what is shown has a p */
+    for (; !(left & 1); left >>= 1) p++;
+    bit = UINT32_C(1) << (p - first);
+    octave = (uint8_t)(31 - fc_clz32(*p)); /* what is shown has a p */
     down = (int16_t)(octave + light->shift);
     if ((uint8_t)(octave - light->octave) > light->octaves) {
       open |= bit;
@@ -403,6 +401,8 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
       of.down = (uint8_t)down;
       p = face_octave(&of, along + of.dx * (int32_t)(p - first), p, end, bit, &close, &dark);
     }
+    if (p == end) break;
+    left = bits >> (p - first);
   }
   for (p = first, left = close & bits; left != 0; left >>= 1, p++) {
     int32_t e, fine = light->fine_margin;
