@@ -24,11 +24,16 @@ FC_COLD void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
 FC_COLD uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root) {
   uint8_t e_bits = frame->depth_exponent_bits, m_bits = (uint8_t)(16 - e_bits);
   int32_t octaves = INT32_C(1) << e_bits, octave;
-  fc_num z = fc_num_mul(fc_root_value(root), fc_num_from_u64((uint64_t)frame->view.focal, 0));
-  fc_num v = fc_num_div(fc_num_from_u64(frame->depth_near, 0), z);
-  uint32_t mantissa = (uint32_t)(v.m >> (62 - m_bits)), code; /* its highest bit included */
-  int64_t over = fc_to_i64((v.m << (m_bits + 2)) - (UINT64_C(1) << 63)); /* what the next step is near to, less its half */
-  int8_t up = fc_sign64(over);
+  fc_num z = fc_root_value(root), v;
+  uint32_t mantissa, code;
+  int64_t over;
+  int8_t up;
+  fc_num_times_u64(&z, (uint64_t)frame->view.focal);
+  fc_num_set(&v, frame->depth_near, 0);
+  fc_num_over(&v, &z);
+  mantissa = (uint32_t)(v.m >> (62 - m_bits)); /* its highest bit included */
+  over = fc_to_i64((v.m << (m_bits + 2)) - (UINT64_C(1) << 63)); /* what the next step is near to, less its half */
+  up = fc_sign64(over);
   octave = v.e + 62 + octaves; /* 1/2 <= v < 1 is the highest, octaves - 1 */
   if (octave >= octaves) return UINT16_MAX;
   if (octave < 0) return 1;

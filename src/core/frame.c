@@ -44,7 +44,7 @@ static FC_COLD void choose_grid(fc_frame *frame) {
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) {
     fc_num extent = fc_kind_of(&cursor)->extent(&frame->view, &cursor.group.shapes);
-    if (fc_num_compare(extent, most) > 0) most = extent;
+    if (fc_num_order_of(&extent, &most) > 0) most = extent;
   }
   shift = most.e + 63 - 30;
   if (most.m > (UINT64_C(1) << 63) - (UINT64_C(1) << 38)) shift++; /* no room for rounding */
@@ -86,18 +86,23 @@ static FC_COLD void measure_depth(fc_frame *frame) {
 /* Which hits the far limit cuts: exactly between two bounds, and by these numbers in between (scan.h). */
 static FC_COLD void set_far(fc_frame *frame) {
   int64_t corner[3];
-  fc_num far, ratio, scale, longest;
+  fc_num far, ratio, scale, longest, one;
   if (frame->scene.far_limit == 0) return;
-  far = fc_num_from_u64((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame));
-  ratio = fc_num_div(fc_num_from_u64(frame->depth_near, 0), far);
+  fc_num_set(&one, 1, 0);
+  fc_num_set(&far, (uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame));
+  fc_num_set(&ratio, frame->depth_near, 0);
+  fc_num_over(&ratio, &far);
   fc_view_direction(frame, 0, 0, corner);
-  longest = fc_num_div(fc_length(corner), fc_num_from_u64((uint64_t)corner[2], 0));
-  frame->far_low = (uint32_t)fc_num_round(fc_num_compare(ratio, fc_num_from_u64(1, 0)) < 0 ? ratio : fc_num_from_u64(1, 0), 30);
+  fc_length_to(&longest, corner);
+  fc_num_over_u64(&longest, (uint64_t)corner[2]);
+  frame->far_low = (uint32_t)fc_num_rounded(fc_num_order_of(&ratio, &one) < 0 ? &ratio : &one, 30);
   if (frame->far_low > 2) frame->far_low -= 2;
-  longest = fc_num_mul(longest, ratio);
-  frame->far_high = fc_num_compare(longest, fc_num_from_u64(1, 0)) < 0 ? (uint32_t)fc_num_round(longest, 30) + 2 : UINT32_MAX;
-  scale = fc_num_div(ratio, fc_num_from_u64((uint64_t)corner[2], 0));
-  scale = fc_num_scale(fc_num_mul(scale, scale), 82);
+  fc_num_times(&longest, &ratio);
+  frame->far_high = fc_num_order_of(&longest, &one) < 0 ? (uint32_t)fc_num_rounded(&longest, 30) + 2 : UINT32_MAX;
+  fc_num_over_u64(&ratio, (uint64_t)corner[2]);
+  scale = ratio;
+  fc_num_times(&scale, &ratio);
+  scale.e += 82;
   if (scale.m == 0 || scale.e > -31 || scale.e < -31 - 63) {
     frame->far_shift = FC_FAR_EXACT;
   } else {

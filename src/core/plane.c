@@ -46,11 +46,15 @@ static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   for (i = 0; i < shapes->count; i++) {
     fc_plane p;
     int64_t n[3];
-    fc_num distance;
+    fc_num distance, length;
+    fc_i128 k;
     read_item(shapes, i, &p);
     normal_of(&p, n);
-    distance = fc_num_div(fc_num_from_abs(offset_from_eye(view, &p)), fc_length(n));
-    if (fc_num_compare(distance, most) > 0) most = distance;
+    k = offset_from_eye(view, &p);
+    fc_num_set_abs(&distance, &k);
+    fc_length_to(&length, n);
+    fc_num_over(&distance, &length);
+    if (fc_num_order_of(&distance, &most) > 0) most = distance;
   }
   return most;
 }
@@ -156,10 +160,13 @@ static FC_COLD bool item_range(const fc_frame *frame, const fc_form *form, uint6
     fc_root root;
     int64_t d[3];
     uint64_t z;
+    fc_num t;
     fc_view_direction(frame, (i & 1) ? (uint16_t)(frame->width - 1) : 0,
                       (i & 2) ? (uint16_t)(frame->height - 1) : 0, d);
     if (test(&prepared, d, &root) == 0) continue;
-    z = fc_num_round(fc_num_mul(fc_root_value(&root), fc_num_from_u64((uint64_t)d[2], 0)), 0);
+    t = fc_root_value(&root);
+    fc_num_times_u64(&t, (uint64_t)d[2]);
+    z = fc_num_rounded(&t, 0);
     if (hits == 0 || z < *near) *near = z;
     if (hits == 0 || z > *far) *far = z;
     hits++;

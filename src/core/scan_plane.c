@@ -32,7 +32,7 @@ FC_COLD void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, vo
   fc_placed_plane *placed = memory;
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
-    fc_num factor, most;
+    fc_num factor, most, part;
     fc_quick inverse;
     int64_t d[3], n[3];
     uint8_t j;
@@ -41,14 +41,17 @@ FC_COLD void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, vo
     inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_small_dot(n, n), 0)); /* below 2^62 */
     for (j = 0; j < 3; j++) placed[i].unit[j] = fc_quick_times(inverse, n[j], 30);
     if (placed[i].k == 0) continue;
-    factor = fc_num_mul(fc_num_from_u64(fc_abs64(placed[i].k), 0), fc_num_from_u64((uint64_t)frame->view.focal, 0));
-    factor = fc_num_div(fc_num_from_u64(frame->depth_near, 0), factor);
+    fc_num_set(&factor, frame->depth_near, 0);
+    fc_num_over_u64(&factor, fc_abs64(placed[i].k));
+    fc_num_over_u64(&factor, (uint64_t)frame->view.focal);
     /* the greatest |near / z| of any pixel is below 2^(30 + gain - 30) */
     fc_view_direction(frame, 0, 0, d);
-    most = fc_num_from_u64(0, 0);
-    for (j = 0; j < 3; j++)
-      most = fc_num_add(most, fc_num_mul(fc_num_from_u64(fc_abs32(placed[i].normal[j]), 0), fc_num_from_u64(fc_abs64(d[j]), 0)));
-    most = fc_num_mul(most, factor);
+    fc_num_set(&most, 0, 0);
+    for (j = 0; j < 3; j++) {
+      fc_num_set(&part, fc_abs64(n[j]) * fc_abs64(d[j]), 0); /* 30 + 30 bits */
+      fc_num_plus(&most, &part);
+    }
+    fc_num_times(&most, &factor);
     /* value = near / z times 2^(62 - gain), below 2^62 */
     j = most.e + 63 <= 0 ? 0 : most.e + 63 > 20 ? FC_GAIN_NONE : (uint8_t)(most.e + 63);
     /* factor = m 2^e: the top 32 bits, and n.D times it shifted to 2^(62 - gain) */

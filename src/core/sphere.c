@@ -60,8 +60,11 @@ static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
         /* 2^-20 more is more than the values' errors */
         quick.m = quick.m > UINT32_MAX - (quick.m >> 20) - 1 ? UINT32_MAX : quick.m + (quick.m >> 20) + 1;
         if (!fc_quick_less(quick, farthest)) {
-          fc_num reach = fc_num_add(fc_length(offset), fc_num_from_u64((uint64_t)s.radius, view->fine));
-          if (fc_num_compare(reach, most) > 0) most = reach;
+          fc_num reach, radius;
+          fc_length_to(&reach, offset);
+          fc_num_set(&radius, (uint64_t)s.radius, view->fine);
+          fc_num_plus(&reach, &radius);
+          if (fc_num_order_of(&reach, &most) > 0) most = reach;
         }
       }
     }

@@ -8,20 +8,31 @@
 #include "segment.h"
 
 /* Rounds v / length to Q30, |v| <= length. */
-static FC_COLD int32_t unit_q30(fc_i128 v, fc_num length) {
-  int32_t q = (int32_t)fc_num_round(fc_num_div(fc_num_from_abs(v), length), 30);
-  return fc_i128_sign(v) < 0 ? -q : q;
+static FC_COLD int32_t unit_q30(const fc_i128 *v, const fc_num *length) {
+  fc_num unit;
+  int32_t q;
+  fc_num_set_abs(&unit, v);
+  fc_num_over(&unit, length);
+  q = (int32_t)fc_num_rounded(&unit, 30);
+  return fc_i128_sign(*v) < 0 ? -q : q;
 }
 
-FC_COLD fc_num fc_length(const int64_t v[3]) {
+static FC_COLD int32_t unit64_q30(int64_t v, const fc_num *length) {
+  fc_i128 wide = fc_i128_from(v);
+  return unit_q30(&wide, length);
+}
+
+FC_COLD void fc_length_to(fc_num *length, const int64_t v[3]) {
   /* components below 2^63: squares below 2^126 as values, no overflow */
-  fc_num sum = {0, 0};
   uint8_t i;
+  fc_num_set(length, 0, 0);
   for (i = 0; i < 3; i++) {
-    fc_num a = fc_num_from_u64(fc_abs64(v[i]), 0);
-    sum = fc_num_add(sum, fc_num_mul(a, a));
+    fc_num square;
+    fc_num_set(&square, fc_abs64(v[i]), 0);
+    fc_num_times(&square, &square);
+    fc_num_plus(length, &square);
   }
-  return fc_num_sqrt(sum);
+  fc_num_root(length);
 }
 
 static FC_COLD bool within_range(const fc_vec3 *v) {
@@ -31,7 +42,7 @@ static FC_COLD bool within_range(const fc_vec3 *v) {
 
 static FC_COLD int set_rows(fc_view *view, const fc_camera *camera) {
   int64_t f[3], u[3], r[3];
-  fc_num f_length, r_length;
+  fc_num f_length, r_length, up_length;
   uint8_t i;
   if (!within_range(&camera->eye) || !within_range(&camera->target) || !within_range(&camera->up))
     return FC_ERR_COORDINATE;
@@ -45,15 +56,17 @@ static FC_COLD int set_rows(fc_view *view, const fc_camera *camera) {
   /* 31 + 30 bits, two products: below 2^62 */
   fc_cross(f, u, r);
   if ((r[0] | r[1] | r[2]) == 0) return FC_ERR_CAMERA_UP;
-  f_length = fc_length(f);
-  r_length = fc_length(r);
+  fc_length_to(&f_length, f);
+  fc_length_to(&r_length, r);
+  up_length = f_length;
+  fc_num_times(&up_length, &r_length);
   for (i = 0; i < 3; i++) {
     /* up' = r x f: 62 + 31 bits, two products: below 2^94 */
     uint8_t j = (uint8_t)((i + 1) % 3), k = (uint8_t)((i + 2) % 3);
     fc_i128 up = fc_i128_sub(fc_i128_mul(r[j], f[k]), fc_i128_mul(r[k], f[j]));
-    view->row[0][i] = unit_q30(fc_i128_from(r[i]), r_length);
-    view->row[1][i] = unit_q30(up, fc_num_mul(r_length, f_length));
-    view->row[2][i] = unit_q30(fc_i128_from(f[i]), f_length);
+    view->row[0][i] = unit64_q30(r[i], &r_length);
+    view->row[1][i] = unit_q30(&up, &up_length);
+    view->row[2][i] = unit64_q30(f[i], &f_length);
   }
   return FC_OK;
 }
@@ -84,14 +97,14 @@ static FC_COLD int set_focal(fc_view *view, const fc_camera *camera, uint16_t wi
       (uint64_t)camera->tan_half_fov_numerator << 16 < camera->tan_half_fov_denominator)
     return FC_ERR_FIELD_OF_VIEW;
   /* 12 + 32 bits; F = span / tan, in half pixels */
-  focal = fc_num_div(fc_num_from_u64((uint64_t)span * camera->tan_half_fov_denominator, 0),
-                     fc_num_from_u64(camera->tan_half_fov_numerator, 0));
-  largest = fc_num_from_u64(longest, 0);
-  if (fc_num_compare(focal, largest) > 0) largest = focal;
+  fc_num_set(&focal, (uint64_t)span * camera->tan_half_fov_denominator, 0);
+  fc_num_over_u64(&focal, camera->tan_half_fov_numerator);
+  fc_num_set(&largest, longest, 0);
+  if (fc_num_order_of(&focal, &largest) > 0) largest = focal;
   /* the largest component gets 29 bits: largest < 2^(e+63), so at most 2^29 after the shift and rounding */
   shift = 29 - (largest.e + 63);
   view->pixel_shift = (uint8_t)(shift < 0 ? 0 : shift);
-  view->focal = (int32_t)fc_num_round(focal, view->pixel_shift);
+  view->focal = (int32_t)fc_num_rounded(&focal, view->pixel_shift);
   if (view->focal < 1) return FC_ERR_FIELD_OF_VIEW;
   return FC_OK;
 }

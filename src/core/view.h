@@ -31,7 +31,13 @@ static inline int16_t fc_view_far_exponent(const fc_frame *frame) {
 bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t direction[3]);
 
 /* |v| as a value. */
-fc_num fc_length(const int64_t v[3]);
+void fc_length_to(fc_num *length, const int64_t v[3]);
+
+static inline fc_num fc_length(const int64_t v[3]) {
+  fc_num length;
+  fc_length_to(&length, v);
+  return length;
+}
 
 /* The frame's size as its owner sees it. */
 static inline uint16_t fc_view_columns(const fc_frame *frame) {
