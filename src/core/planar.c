@@ -13,7 +13,7 @@ typedef struct cosine {
 /* 1 / |n|, and n / |n| in Q30. */
 static fc_quick normalise(const int64_t n[3], int32_t unit[3]) {
   /* below 2^30: a sum of squares below 2^62 */
-  fc_quick inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_small_dot(n, n), 0));
+  fc_quick inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_dot(n, n), 0));
   uint8_t i;
   for (i = 0; i < 3; i++) unit[i] = fc_quick_times(inverse, n[i], 30);
   return inverse;
@@ -38,7 +38,7 @@ static FC_COLD bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g)
   uint64_t most = 0;
   uint8_t i, shift;
   fc_scan_direction(scan, d, &step);
-  nd = fc_small_dot(n, d); /* 30 + 29 bits, three terms */
+  nd = fc_dot(n, d); /* 30 + 29 bits, three terms */
   ndx = n[0] * step;
   ndy = -n[1] * step;
   for (i = 0; i < 3; i++) {
@@ -76,7 +76,7 @@ static FC_COLD bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g)
 FC_COLD int64_t fc_ball_foot(const int64_t n[3], const int32_t unit[3], int64_t above, const int64_t center[3], int64_t radius,
                              int64_t foot[3]) {
   /* |n| below 2^31 and at least 1, so 1 / |n| times |above| is within 2^-25 and 1: 2^-24 r + 2 where it is about r */
-  int64_t square = fc_small_dot(n, n), margin = fc_ball_margin(radius), dip;
+  int64_t square = fc_dot(n, n), margin = fc_ball_margin(radius), dip;
   int64_t rise = fc_quick_times(fc_quick_rsqrt(fc_quick_from((uint64_t)square, 0)), above, 0); /* INT32_MAX: farther */
   uint8_t i;
   for (i = 0; i < 3; i++) foot[i] = center[i] + fc_floor_shift64(unit[i] * rise, 30); /* 31 + 31 bits */
@@ -92,7 +92,7 @@ FC_COLD int64_t fc_ball_foot(const int64_t n[3], const int32_t unit[3], int64_t 
 FC_COLD bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
                                   fc_window *doubt) {
   const int64_t *n = receiver->normal;
-  int64_t above = receiver->k - fc_small_dot(n, center), t[3], to_light[3], margin = fc_ball_margin(radius), dip, reach;
+  int64_t above = receiver->k - fc_dot(n, center), t[3], to_light[3], margin = fc_ball_margin(radius), dip, reach;
   fc_quick lever;
   uint8_t i;
   doubt->x0 = doubt->y0 = 1;
@@ -155,7 +155,7 @@ static bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uin
   int64_t d[3], nd;
   fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
-  nd = fc_small_dot(planar->normal, d);
+  nd = fc_dot(planar->normal, d);
   return nd > 0 && fc_point_at(fc_num_div(k, fc_num_from_u64((uint64_t)nd, 0)), eye, d, point);
 }
 
@@ -411,14 +411,14 @@ static void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t norm
     planar->exact[i] = away ? -normal[i] : normal[i];
     planar->normal[i] = fc_floor_shift64(planar->exact[i], cut);
   }
-  planar->k = cut == 0 ? fc_i128_to_i64(planar->exact_k) : fc_small_dot(planar->normal, point);
+  planar->k = cut == 0 ? fc_i128_to_i64(planar->exact_k) : fc_dot(planar->normal, point);
   /* an axis of the normal is off by up to 1, of p - point by up to 2^31; and |n| times a radius by up to 2^31 */
   planar->slack = cut == 0 ? 0 : INT64_C(4) << 31;
-  planar->height = planar->k - fc_small_dot(planar->normal, scan->frame->lights);
+  planar->height = planar->k - fc_dot(planar->normal, scan->frame->lights);
 }
 
 FC_COLD int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]) {
-  int64_t side = planar->k - fc_small_dot(planar->normal, p);
+  int64_t side = planar->k - fc_dot(planar->normal, p);
   if (planar->slack == 0 || (int64_t)fc_abs64(side) > planar->slack) return fc_sign64(side);
   return fc_i128_sign(fc_i128_sub(planar->exact_k, fc_i128_dot(planar->exact, p))); /* 63 + 30 bits */
 }

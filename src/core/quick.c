@@ -34,11 +34,11 @@ const uint16_t fc_recip_table[128] FC_ROM = {
     35470, 35320, 35172, 35026, 34880, 34735, 34592, 34450, 34309, 34169, 34031, 33893,
     33757, 33622, 33487, 33354, 33222, 33091, 32961, 32832};
 
-FC_COLD uint64_t fc_packed_from(uint64_t v, int16_t e) {
+FC_COLD uint64_t fc_packed_from(uint64_t v, int32_t e) {
   uint8_t s;
   if (v == 0) return 0;
   s = fc_clz64(v);
-  return fc_quick_pack((uint32_t)(v << s >> 32), (int16_t)(e + 32 - s));
+  return fc_quick_pack((uint32_t)(v << s >> 32), e + 32 - s);
 }
 
 FC_COLD uint64_t fc_packed_mul(fc_quick a, fc_quick b) {

@@ -127,7 +127,7 @@ typedef struct fc_quick {
 } fc_quick;
 
 /* What comes back in registers is shorter to use than what comes back in memory: m + 2^32 e. */
-uint64_t fc_packed_from(uint64_t v, int16_t e);
+uint64_t fc_packed_from(uint64_t v, int32_t e);
 uint64_t fc_packed_mul(fc_quick a, fc_quick b);
 uint64_t fc_packed_add(fc_quick a, fc_quick b);
 uint64_t fc_packed_rsqrt(fc_quick a);
@@ -142,7 +142,7 @@ static inline fc_quick fc_quick_unpack(uint64_t packed) {
 
 static inline uint64_t fc_quick_pack(uint32_t m, int32_t e) { return (uint64_t)(uint32_t)e << 32 | m; }
 
-static inline fc_quick fc_quick_from(uint64_t v, int16_t e) { return fc_quick_unpack(fc_packed_from(v, e)); }
+static inline fc_quick fc_quick_from(uint64_t v, int32_t e) { return fc_quick_unpack(fc_packed_from(v, e)); }
 static inline fc_quick fc_quick_mul(fc_quick a, fc_quick b) { return fc_quick_unpack(fc_packed_mul(a, b)); }
 static inline fc_quick fc_quick_rsqrt(fc_quick a) { return fc_quick_unpack(fc_packed_rsqrt(a)); }
 static inline fc_quick fc_quick_recip(fc_quick a) { return fc_quick_unpack(fc_packed_recip(a)); }

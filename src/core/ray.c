@@ -50,16 +50,20 @@ typedef struct nearest_test {
   bool bounded;
 } nearest_test;
 
-static bool nearer(void *context, const fc_cursor *at, uint16_t index) {
-  nearest_test *test = context;
-  uint16_t primitive = (uint16_t)(at->group.first + index);
+/* What a root needs that its comparison doesn't: not on the stack then. */
+static FC_COLD uint8_t roots_of(const nearest_test *test, const fc_cursor *at, uint16_t index, fc_root *first) {
   fc_form form;
   fc_prepared prepared;
-  fc_root first;
-  uint8_t count;
   fc_kind_of(at)->fetch(&at->group, index, &form);
   fc_kind_of(at)->prepare(&form, test->origin, &prepared);
-  count = fc_kind_of(at)->test(&prepared, test->direction, &first);
+  return fc_kind_of(at)->test(&prepared, test->direction, first);
+}
+
+static FC_COLD bool nearer(void *context, const fc_cursor *at, uint16_t index) {
+  nearest_test *test = context;
+  uint16_t primitive = (uint16_t)(at->group.first + index);
+  fc_root first;
+  uint8_t count = roots_of(test, at, index, &first);
   if (count == 0) return false;
   if (test->bounded && !first_within(&first, count, test->t_min_q32, test->t_max_q32)) return false;
   if (test->found != NO_PRIMITIVE) {

@@ -14,20 +14,31 @@ static const int64_t eye[3] = {0, 0, 0}; /* camera space */
 /* ---- one pixel, by the ray engine ---- */
 
 /* Meets the primitive with the pixel's ray. */
-static bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_prepared *prepared, fc_root *root) {
+static FC_COLD bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_prepared *prepared, fc_root *root) {
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
   fc_kind_of(scan->at)->prepare(scan->form, eye, prepared);
   return fc_kind_of(scan->at)->test(prepared, d, root) != 0;
 }
 
-FC_COLD bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
+/* The same where nothing but the root is needed: what it is found with is not on the stack afterwards. */
+static FC_COLD bool meet_root(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_root *root) {
   fc_prepared prepared;
+  return meet(scan, row, column, d, &prepared, root);
+}
+
+/* Whether the primitive is there, with its depth code. */
+static FC_COLD bool code_at(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], uint16_t *code) {
   fc_root root;
+  if (!meet_root(scan, row, column, d, &root) || fc_too_far(scan->frame, &root, d)) return false;
+  *code = fc_depth_code(scan->frame, &root);
+  return true;
+}
+
+FC_COLD bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
   int64_t d[3];
   uint16_t code, *depth = fc_scan_depth(scan, row, column);
   FC_TALLY(FC_DECIDE_PIXEL, true);
-  if (!meet(scan, row, column, d, &prepared, &root) || fc_too_far(scan->frame, &root, d)) return false;
-  code = fc_depth_code(scan->frame, &root);
+  if (!code_at(scan, row, column, d, &code)) return false;
   if (code < *depth) return false;
   if (code == *depth) {
     /* whatever is drawn there, or will be: the pixel goes to the nearest of all */
@@ -68,12 +79,14 @@ FC_COLD bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column)
 }
 
 FC_COLD bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const fc_kind *kind, const fc_form *occluder) {
-  fc_surface surface;
+  fc_root root;
   fc_segment segment;
-  int64_t d[3];
+  int64_t d[3], point[3];
+  bool valid;
   FC_TALLY(FC_DECIDE_LIT, true);
-  surface_at(scan, row, column, d, &surface);
-  fc_surface_segment(&surface, scan->frame->lights, &segment);
+  (void)meet_root(scan, row, column, d, &root);
+  valid = fc_point_at(fc_root_value(&root), eye, d, point);
+  fc_segment_from(&segment, &root, d, point, valid, scan->frame->lights);
   return kind->blocked(occluder, &segment);
 }
 

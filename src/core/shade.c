@@ -58,23 +58,24 @@ static FC_COLD uint32_t irradiance_q24(const fc_frame *frame, const fc_surface *
   return value.e > 0 ? UINT32_MAX : (uint32_t)fc_quick_to_u64(value);
 }
 
-FC_COLD void fc_surface_segment(const fc_surface *surface, const int64_t light[3], fc_segment *segment) {
+FC_COLD void fc_segment_from(fc_segment *segment, const fc_root *root, const int64_t direction[3], const int64_t point[3],
+                             bool point_valid, const int64_t light[3]) {
   uint8_t i;
   for (i = 0; i < 3; i++) {
     segment->light[i] = light[i];
-    segment->point[i] = surface->point[i];
+    segment->point[i] = point[i];
   }
-  segment->root = &surface->root;
-  segment->direction = surface->direction;
+  segment->root = root;
+  segment->direction = direction;
   segment->point_error = 1;
-  segment->point_valid = surface->point_valid;
+  segment->point_valid = point_valid;
   segment->outside = true;
   fc_segment_prepare(segment);
 }
 
 FC_COLD bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const int64_t position[3]) {
   fc_segment segment;
-  fc_surface_segment(surface, position, &segment);
+  fc_segment_from(&segment, &surface->root, surface->direction, surface->point, surface->point_valid, position);
   if (!fc_kind_of(&surface->at)->facing(&surface->form, &surface->prepared, &segment)) return false;
   if (frame->options.offset_rule == FC_OFFSET_EXACT) return !fc_space_blocked(space, &segment, surface->primitive);
   segment.root = NULL;
