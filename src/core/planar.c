@@ -125,6 +125,30 @@ FC_COLD bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver
   return true;
 }
 
+/* Where the ray through a pixel of the tile meets the plane (its normal is not cut); false when it doesn't, or too far away. */
+static bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
+  static const int64_t eye[3] = {0, 0, 0};
+  int64_t d[3], nd;
+  fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
+  fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
+  nd = fc_dot(planar->normal, d);
+  return nd > 0 && fc_point_at(fc_num_div(k, fc_num_from_u64((uint64_t)nd, 0)), eye, d, point);
+}
+
+FC_COLD bool fc_planar_blocked(const fc_scan *scan, const fc_planar *receiver, uint16_t row, uint16_t column, const fc_kind *kind,
+                               const fc_form *occluder) {
+  int64_t wide[3];
+  if (kind->hides != NULL && receiver->slack == 0 && foot(scan, receiver, row, column, wide) && fc_vector_bits(wide) <= 30) {
+    int32_t point[3];
+    int8_t hides;
+    uint8_t i;
+    for (i = 0; i < 3; i++) point[i] = (int32_t)wide[i];
+    hides = kind->hides(occluder, scan->frame->lights, point, 1);
+    if (hides >= 0) return hides > 0;
+  }
+  return fc_scan_blocked(scan, row, column, kind, occluder);
+}
+
 FC_COLD void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder) {
   uint16_t row, column;
   for (row = scan->first_row; row <= scan->last_row; row++)
@@ -147,16 +171,6 @@ static FC_COLD bool cast_one(void *context, const fc_cursor *at, uint16_t index)
   fc_kind_of(at)->fetch(&at->group, index, &form);
   fc_kind_of(at)->shadow(c->scan, c->planar, fc_kind_of(at), &form);
   return false;
-}
-
-/* Where the ray through a pixel of the tile meets the plane (its normal is not cut); false when it doesn't, or too far away. */
-static bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
-  static const int64_t eye[3] = {0, 0, 0};
-  int64_t d[3], nd;
-  fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
-  fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
-  nd = fc_dot(planar->normal, d);
-  return nd > 0 && fc_point_at(fc_num_div(k, fc_num_from_u64((uint64_t)nd, 0)), eye, d, point);
 }
 
 /* First and last pixel of a row's mask; false when it is empty. */
@@ -244,21 +258,47 @@ typedef struct cosine_row {
   int32_t g;
 } cosine_row;
 
-static void start_row(const fc_planar *planar, const cosine *g, uint16_t row, uint16_t column, cosine_row *r) {
-  /* components below 2^30: sums of three products below 2^62, q below 2^32; over 128 columns the rounded differences add up
-   * to an error below 2^14 */
-  int64_t square = 0, cross = 0, step = 0;
+/* W.W and its differences at the first column of a row, exact: components below 2^30, so sums of three products below 2^62 in the
+ * tile; what wraps is not looked at there. */
+typedef struct square_form {
+  uint64_t at, dx, dxx; /* value, difference to the next column, its difference */
+  uint64_t dy, dyy, dxy;
+} square_form;
+
+static FC_NOINLINE uint64_t dot32(const int32_t a[3], const int32_t b[3]) {
+  uint64_t sum = 0;
   uint8_t i;
-  for (i = 0; i < 3; i++) {
-    int32_t w = planar->w.at[i] + column * planar->w.dx[i] + row * planar->w.dy[i], dw = planar->w.dx[i];
-    square += fc_smul32(w, w);
-    if (dw == 0) continue;
-    cross += fc_smul32(w, dw);
-    step += fc_smul32(dw, dw);
+  for (i = 0; i < 3; i++)
+    if (b[i] != 0) sum += (uint64_t)fc_smul32(a[i], b[i]);
+  return sum;
+}
+
+static void set_square(const fc_sheaf *w, square_form *s) {
+  uint64_t xx = dot32(w->dx, w->dx), yy = dot32(w->dy, w->dy);
+  s->at = dot32(w->at, w->at);
+  s->dx = 2 * dot32(w->at, w->dx) + xx;
+  s->dy = 2 * dot32(w->at, w->dy) + yy;
+  s->dxx = 2 * xx;
+  s->dyy = 2 * yy;
+  s->dxy = 2 * dot32(w->dx, w->dy);
+}
+
+static inline void next_row(square_form *s) {
+  s->at += s->dy;
+  s->dy += s->dyy;
+  s->dx += s->dxy;
+}
+
+static void start_row(const square_form *s, const cosine *g, uint16_t row, uint16_t column, cosine_row *r) {
+  /* q below 2^32; over 128 columns the rounded differences add up to an error below 2^14 */
+  uint64_t at = s->at, dx = s->dx;
+  if (column != 0) {
+    at += fc_times(dx + fc_times(s->dxx >> 1, (uint16_t)(column - 1u)), column); /* dxx is even */
+    dx += fc_times(s->dxx, column);
   }
-  r->q = (uint32_t)((uint64_t)square >> 30);
-  r->dq = (uint32_t)(uint64_t)fc_floor_shift64(2 * cross + step, 30);
-  r->ddq = (uint32_t)(uint64_t)fc_floor_shift64(2 * step, 30);
+  r->q = (uint32_t)(at >> 30);
+  r->dq = (uint32_t)(dx >> 30); /* 34 bits are left: the sign's too */
+  r->ddq = (uint32_t)(s->dxx >> 30);
   r->g = g->at + column * g->dx + row * g->dy;
 }
 
@@ -356,11 +396,14 @@ static uint8_t chord_of(uint32_t least, uint32_t ddq) {
 static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
   /* chords twice as long are off four times as far: 2^-6 of a cosine, four levels in 255 */
   const uint8_t fast = fc_scan_guesses(scan);
+  square_form square;
   uint16_t row;
   uint8_t word;
-  for (row = scan->first_row; row <= scan->last_row; row++) {
+  set_square(&planar->w, &square);
+  for (row = 0; row <= scan->last_row; row++, next_row(&square)) {
     cosine_row forms = {0, 0, 0, 0};
     uint16_t next = UINT16_MAX, column = 0; /* the column that the forms stand at */
+    if (row < scan->first_row) continue;
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word];
       uint16_t at = column;
@@ -380,7 +423,7 @@ static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g
        * 2^10, and 2^20 is enough. A chord's end may lie 15 columns further. */
       if (at == next && word % 4 != 0) least = least_square(&forms, (uint8_t)(count + 14));
       if (at != next || word % 4 == 0 || least < UINT32_C(1) << 24) {
-        start_row(planar, g, row, at, &forms);
+        start_row(&square, g, row, at, &forms);
         least = least_square(&forms, (uint8_t)(count + 14));
       }
       if (least < UINT32_C(1) << 20) {

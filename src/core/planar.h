@@ -60,6 +60,11 @@ static inline void fc_planar_darken(fc_scan *scan, uint16_t row, uint16_t column
 bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
                           fc_window *doubt);
 
+/* Whether an occluder keeps the light from what the pixel shows of the receiver: by the point to the unit where that tells, else by
+ * the ray engine. */
+bool fc_planar_blocked(const fc_scan *scan, const fc_planar *receiver, uint16_t row, uint16_t column, const fc_kind *kind,
+                       const fc_form *occluder);
+
 /* Every masked pixel by the ray engine: for occluders without a fast form. */
 void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder);
 

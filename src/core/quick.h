@@ -85,7 +85,7 @@ static inline uint64_t fc_times(uint64_t a, uint16_t n) {
 
 extern const uint16_t fc_rsqrt_table[192], fc_recip_table[128];
 
-static inline uint16_t fc_read_table(const uint16_t *entry) {
+FC_INLINE uint16_t fc_read_table(const uint16_t *entry) {
   uint16_t v;
   FC_READ(&v, entry, sizeof v);
   return v;
