@@ -33,24 +33,20 @@ static uint64_t reach_of(int64_t at, int64_t dx, int64_t dy, const fc_scan *scan
 /* W and the cosine's numerator over the tile; false when W is so small that its cuts would tell. */
 static FC_COLD bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
   const int64_t *n = planar->normal, *light = scan->frame->lights;
-  int64_t d[3], step, nd, ndx, ndy, at[3], dx[3], dy[3];
+  /* the direction, its steps, and their products with n, for W's three forms */
+  int64_t d[3][3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, step, nd[3], form[3][3];
   fc_quick factor;
   uint64_t most = 0;
-  uint8_t i, shift;
-  fc_scan_direction(scan, d, &step);
-  nd = fc_dot(n, d); /* 30 + 29 bits, three terms */
-  ndx = n[0] * step;
-  ndy = -n[1] * step;
+  uint8_t i, j, shift;
+  fc_scan_direction(scan, d[0], &step);
+  d[1][0] = step;
+  d[2][1] = -step;
+  for (j = 0; j < 3; j++) nd[j] = fc_dot(n, d[j]); /* 30 + 29 bits, three terms */
   for (i = 0; i < 3; i++) {
-    /* k D - (n.D) L in units of 2^32: 62 + 30 bits each, so below 2^61; each within 2 */
-    int32_t l = (int32_t)light[i];
     uint64_t reach;
-    at[i] = fc_smul64hi(planar->k, (int32_t)d[i]) - fc_smul64hi(nd, l);
-    dx[i] = -fc_smul64hi(ndx, l);
-    dy[i] = -fc_smul64hi(ndy, l);
-    if (i == 0) dx[i] += fc_smul64hi(planar->k, (int32_t)step);
-    if (i == 1) dy[i] -= fc_smul64hi(planar->k, (int32_t)step);
-    reach = reach_of(at[i], dx[i], dy[i], scan);
+    /* k D - (n.D) L in units of 2^32: 62 + 30 bits each, so below 2^61; each within 2 */
+    for (j = 0; j < 3; j++) form[j][i] = fc_smul64hi(planar->k, (int32_t)d[j][i]) - fc_smul64hi(nd[j], (int32_t)light[i]);
+    reach = reach_of(form[0][i], form[1][i], form[2][i], scan);
     if (reach > most) most = reach;
   }
   i = fc_bits64(most);
@@ -58,18 +54,18 @@ static FC_COLD bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g)
   if (i < (planar->slack != 0 ? 46 : 34)) return false;
   shift = (uint8_t)(i - 29); /* a bit is left for the roundings */
   for (i = 0; i < 3; i++) {
-    planar->w.at[i] = nearest(at[i], shift);
-    planar->w.dx[i] = nearest(dx[i], shift);
-    planar->w.dy[i] = nearest(dy[i], shift);
+    planar->w.at[i] = nearest(form[0][i], shift);
+    planar->w.dx[i] = nearest(form[1][i], shift);
+    planar->w.dy[i] = nearest(form[2][i], shift);
   }
   /* each form is within 1/2 + 2^-5 of its rounding, and a cut normal moves W by less than 3 (2^30 2^29 + 2^29 2^30) */
   planar->w.error = ((uint32_t)scan->columns + scan->rows) / 2 + 3;
   planar->w.error += planar->w.error / 16 + 1;
   if (planar->slack != 0) planar->w.error += (UINT32_C(6) << 28 >> shift) + 1;
   factor = fc_quick_mul(fc_quick_from(fc_abs64(planar->height), (int16_t)(-32 - shift)), normalise(n, planar->unit));
-  g->at = fc_quick_times(factor, nd, 0);
-  g->dx = fc_quick_times(factor, ndx, 0);
-  g->dy = fc_quick_times(factor, ndy, 0);
+  g->at = fc_quick_times(factor, nd[0], 0);
+  g->dx = fc_quick_times(factor, nd[1], 0);
+  g->dy = fc_quick_times(factor, nd[2], 0);
   return true;
 }
 
@@ -265,7 +261,7 @@ typedef struct square_form {
   uint64_t dy, dyy, dxy;
 } square_form;
 
-static FC_NOINLINE uint64_t dot32(const int32_t a[3], const int32_t b[3]) {
+static FC_COLD uint64_t dot32(const int32_t a[3], const int32_t b[3]) {
   uint64_t sum = 0;
   uint8_t i;
   for (i = 0; i < 3; i++)
@@ -273,7 +269,7 @@ static FC_NOINLINE uint64_t dot32(const int32_t a[3], const int32_t b[3]) {
   return sum;
 }
 
-static void set_square(const fc_sheaf *w, square_form *s) {
+static FC_COLD void set_square(const fc_sheaf *w, square_form *s) {
   uint64_t xx = dot32(w->dx, w->dx), yy = dot32(w->dy, w->dy);
   s->at = dot32(w->at, w->at);
   s->dx = 2 * dot32(w->at, w->dx) + xx;
@@ -289,7 +285,7 @@ static inline void next_row(square_form *s) {
   s->dx += s->dxy;
 }
 
-static void start_row(const square_form *s, const cosine *g, uint16_t row, uint16_t column, cosine_row *r) {
+static FC_NOINLINE void start_row(const square_form *s, const cosine *g, uint16_t row, uint16_t column, cosine_row *r) {
   /* q below 2^32; over 128 columns the rounded differences add up to an error below 2^14 */
   uint64_t at = s->at, dx = s->dx;
   if (column != 0) {

@@ -62,7 +62,7 @@ static FC_COLD int set_rows(fc_view *view, const fc_camera *camera) {
   fc_num_times(&up_length, &r_length);
   for (i = 0; i < 3; i++) {
     /* up' = r x f: 62 + 31 bits, two products: below 2^94 */
-    uint8_t j = (uint8_t)((i + 1) % 3), k = (uint8_t)((i + 2) % 3);
+    uint8_t j = i == 2 ? 0 : (uint8_t)(i + 1), k = i == 0 ? 2 : (uint8_t)(i - 1);
     fc_i128 up = fc_i128_sub(fc_i128_mul(r[j], f[k]), fc_i128_mul(r[k], f[j]));
     view->row[0][i] = unit64_q30(r[i], &r_length);
     view->row[1][i] = unit_q30(&up, &up_length);
