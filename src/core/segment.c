@@ -61,6 +61,10 @@ FC_COLD int8_t fc_side_of_point(const fc_segment *segment, const int64_t n[3], f
   return fc_segment_sign(segment, &w, FC_DECIDE_SIDE);
 }
 
+FC_COLD int64_t fc_small_norm1(const int64_t a[3]) {
+  return (int64_t)(fc_abs64(a[0]) + fc_abs64(a[1]) + fc_abs64(a[2]));
+}
+
 FC_COLD int64_t fc_dot(const int64_t a[3], const int64_t b[3]) {
   uint64_t sum = 0;
   uint8_t i;
