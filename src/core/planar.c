@@ -442,10 +442,11 @@ static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g
 }
 
 /* The plane turned to the eye, and cut to 30 bits. */
-static void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t normal[3], fc_i128 k, const int64_t *point) {
+static FC_COLD void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t normal[3], fc_i128 k, const int64_t *point) {
   uint8_t bits = fc_vector_bits(normal), cut = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
   bool away = fc_i128_sign(k) < 0;
-  planar->exact_k = away ? fc_i128_neg(k) : k;
+  planar->exact_k = k;
+  if (away) fc_i128_negate(&planar->exact_k);
   for (i = 0; i < 3; i++) {
     planar->exact[i] = away ? -normal[i] : normal[i];
     planar->normal[i] = fc_floor_shift64(planar->exact[i], cut);
@@ -458,8 +459,12 @@ static void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t norm
 
 FC_COLD int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]) {
   int64_t side = planar->k - fc_dot(planar->normal, p);
+  fc_i128 height, along;
   if (planar->slack == 0 || (int64_t)fc_abs64(side) > planar->slack) return fc_sign64(side);
-  return fc_i128_sign(fc_i128_sub(planar->exact_k, fc_i128_dot(planar->exact, p))); /* 63 + 30 bits */
+  height = planar->exact_k;
+  along = fc_i128_dot(planar->exact, p); /* 63 + 30 bits */
+  fc_i128_minus(&height, &along);
+  return fc_i128_sign(height);
 }
 
 FC_COLD void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {

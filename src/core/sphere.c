@@ -108,7 +108,9 @@ static FC_COLD void fetch(const fc_group *group, uint16_t index, fc_form *form) 
 
 /* |v|^2 - r^2 for v below 2^62, exact. */
 static FC_COLD fc_i128 power(const int64_t v[3], int64_t radius) {
-  return fc_i128_sub(fc_i128_dot(v, v), fc_i128_mul(radius, radius));
+  fc_i128 square = fc_i128_dot(v, v), r = fc_i128_mul(radius, radius);
+  fc_i128_minus(&square, &r);
+  return square;
 }
 
 static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {

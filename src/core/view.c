@@ -63,7 +63,8 @@ static FC_COLD int set_rows(fc_view *view, const fc_camera *camera) {
   for (i = 0; i < 3; i++) {
     /* up' = r x f: 62 + 31 bits, two products: below 2^94 */
     uint8_t j = i == 2 ? 0 : (uint8_t)(i + 1), k = i == 0 ? 2 : (uint8_t)(i - 1);
-    fc_i128 up = fc_i128_sub(fc_i128_mul(r[j], f[k]), fc_i128_mul(r[k], f[j]));
+    fc_i128 up = fc_i128_mul(r[j], f[k]), down = fc_i128_mul(r[k], f[j]);
+    fc_i128_minus(&up, &down);
     view->row[0][i] = unit64_q30(r[i], &r_length);
     view->row[1][i] = unit_q30(&up, &up_length);
     view->row[2][i] = unit64_q30(f[i], &f_length);
@@ -134,14 +135,16 @@ FC_COLD bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponen
   p[2] = v->z;
   for (i = 0; i < 3; i++) {
     int64_t row[3];
-    fc_i128 q;
+    fc_i128 q, eye;
     row[0] = view->row[i][0];
     row[1] = view->row[i][1];
     row[2] = view->row[i][2];
     /* A unit row times 30-bit coordinates: below 2^62 * 2^63 = 2^125; the eye 2^30 * 2^62 * sqrt 3 < 2^93. */
     q = fc_i128_dot(row, p);
-    q = up >= 0 ? fc_i128_shift_left(q, (uint8_t)up) : fc_i128_round_shift(q, (uint8_t)-up);
-    q = fc_i128_round_shift(fc_i128_sub(q, fc_i128_dot(row, view->eye)), (uint8_t)(30 + view->shift));
+    fc_i128_move(&q, up);
+    eye = fc_i128_dot(row, view->eye);
+    fc_i128_minus(&q, &eye);
+    fc_i128_move(&q, (int16_t)(-30 - view->shift));
     if (fc_i128_bits(q) > 61) return false;
     point[i] = fc_i128_to_i64(q);
   }
