@@ -51,8 +51,20 @@ static inline fc_i128 fc_i128_abs(fc_i128 a) { return fc_i128_sign(a) < 0 ? fc_i
 static inline int8_t fc_i128_compare(fc_i128 a, fc_i128 b) { return fc_i128_sign(fc_i128_sub(a, b)); }
 
 /* Exact products: 64 x 64 bits -> 128, unsigned and signed. */
-fc_i128 fc_i128_mul_u64(uint64_t a, uint64_t b);
-fc_i128 fc_i128_mul(int64_t a, int64_t b);
+void fc_i128_set_product_u64(fc_i128 *r, uint64_t a, uint64_t b);
+void fc_i128_set_product(fc_i128 *r, int64_t a, int64_t b);
+
+static inline fc_i128 fc_i128_mul_u64(uint64_t a, uint64_t b) {
+  fc_i128 r;
+  fc_i128_set_product_u64(&r, a, b);
+  return r;
+}
+
+static inline fc_i128 fc_i128_mul(int64_t a, int64_t b) {
+  fc_i128 r;
+  fc_i128_set_product(&r, a, b);
+  return r;
+}
 
 /* a * b for |a * b| < 2^127. */
 fc_i128 fc_i128_scale(fc_i128 a, int64_t b);
