@@ -584,15 +584,22 @@ static FC_NOINLINE uint32_t *inside_run(const sphere_forms *ball, sphere_row *at
   uint32_t b = at->b;
   const uint32_t b_dx = ball->b_step;
   /* f's high word in low .. low + span - 1: f 2^up is in 2^62 .. 2^64 - 1 */
-  uint32_t low = 0, span = 0, up = 0, down = 0;
+  uint32_t low = UINT32_C(1) << (30 - ball->lift), span = 0, up = ball->lift, down = ball->half_lift; /* for the greatest f */
   while (to != end) {
     uint32_t high = (uint32_t)(f >> 32);
     if (high - low >= span) {
       if (fc_to_i32(high) <= ball->inside) break; /* at least 0 */
-      up = ball->lift; /* what the greatest f allows */
-      while (up < 30 && high < UINT32_C(1) << (30 - up)) up += 2;
-      down = ball->half_lift + (up - ball->lift) / 2;
       low = UINT32_C(1) << (30 - up);
+      while (high < low && up < 30) {
+        low >>= 2;
+        up += 2;
+        down++;
+      }
+      while (high >> 2 >= low && up > ball->lift) {
+        low <<= 2;
+        up -= 2;
+        down--;
+      }
       span = 3 * low;
       if (fc_to_i32(low) <= ball->inside) {
         span -= (uint32_t)ball->inside + 1 - low;
@@ -938,30 +945,34 @@ FC_COLD bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const
  * distances compare for certain beyond `slack`. With both ends clearly outside, the segment is blocked iff its inner points
  * come within the radius.
  */
-static FC_COLD int8_t glance(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
-  int64_t a[3], b[3], ab = 0, apart, out, in;
-  uint32_t aa = 0, bb = 0; /* below 3 * 2^30 */
-  uint64_t across, square, most = (uint64_t)form->u.sphere.radius;
+static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+  int64_t ab = 0, apart;
+  int32_t a[3], b[3], out, in; /* a and b below 2^31 */
+  uint32_t aa = 0, bb = 0;     /* below 3 * 2^30 */
+  uint64_t across, square;
+  uint32_t most = (uint32_t)form->u.sphere.radius | 1;
   uint8_t i, bits, shift;
   for (i = 0; i < 3; i++) {
-    a[i] = form->u.sphere.center[i] - light[i];
-    b[i] = point[i] - light[i];
-    most |= fc_abs64(a[i]) | fc_abs64(b[i]);
+    int32_t l = (int32_t)light[i];
+    a[i] = (int32_t)form->u.sphere.center[i] - l;
+    b[i] = point[i] - l;
+    most |= fc_abs32(a[i]) | fc_abs32(b[i]);
   }
-  bits = fc_bits64(most);
+  bits = (uint8_t)(32 - fc_clz32(most));
   shift = bits > 15 ? (uint8_t)(bits - 15) : 0;
-  out = 2 * (int64_t)(error >> shift) + 8; /* sqrt(3) (1 + error + 1 + 1) + 1 < 2 error + 6.2, the error floored */
+  out = 2 * (int32_t)(error >> shift) + 8; /* sqrt(3) (1 + error + 1 + 1) + 1 < 2 error + 6.2, the error floored */
   if (out > 4096) return -1;
   for (i = 0; i < 3; i++) {
-    int32_t x = (int32_t)fc_floor_shift64(a[i], shift), y = (int32_t)fc_floor_shift64(b[i], shift);
+    int32_t x = fc_floor_shift32(a[i], shift), y = fc_floor_shift32(b[i], shift);
     aa += (uint32_t)(x * x);
     ab += x * y;
     bb += (uint32_t)(y * y);
   }
-  in = (form->u.sphere.radius >> shift) - out; /* below 2^15 */
-  out += form->u.sphere.radius >> shift;
+  in = (int32_t)((uint32_t)form->u.sphere.radius >> shift); /* below 2^15 */
+  out += in;
+  in += in - out;
   apart = (int64_t)aa + bb - 2 * ab; /* |a - b|^2 */
-  if (aa <= out * out || apart <= out * out) return -1;
+  if (aa <= (uint32_t)(out * out) || apart <= out * out) return -1;
   if (ab <= 0 || ab >= bb) return 0; /* the nearest point is an end */
   across = fc_mul32(aa, bb) - fc_mul32((uint32_t)ab, (uint32_t)ab); /* squared distance from the line, times bb; ab < bb */
   square = fc_mul32((uint32_t)(out * out), bb);                     /* 31 + 32 bits */
@@ -1067,10 +1078,10 @@ static FC_COLD uint32_t shade_some(const fc_scan *scan, const shadow_test *test,
   for (; bits != 0; bits >>= 1, bit <<= 1, column++, f += dx, dx += dxx) {
     bool sure = fc_to_i64(f) > test->dark;
     if (!(bits & 1) || fc_to_i64(f) < test->lit) continue;
-    if (sure && test->everywhere == 0) {
+    if (test->everywhere == 0) {
       int64_t a = test->ahead.at + test->ahead.dx * column + test->ahead.dy * row;
-      if (a < -test->ahead.margin) continue;
-      sure = a > test->ahead.margin;
+      if (a < -test->ahead.margin) continue; /* behind the light, whatever f is */
+      if (a <= test->ahead.margin) sure = false;
     }
     if (test->doubted && scan->x + column >= test->doubt.x0 && scan->x + column <= test->doubt.x1) sure = false;
     if (!sure)
@@ -1092,30 +1103,37 @@ static bool row_is_clear(const fc_cone *cone, int64_t lit) {
   return fc_mul32(slope, slope) >> 1 < fc_mul32(bend, below);
 }
 
+static FC_COLD uint64_t square_of(const int64_t v[3]) {
+  uint64_t sum = 0;
+  uint8_t i;
+  for (i = 0; i < 3; i++) sum += (uint64_t)(v[i] * v[i]);
+  return sum;
+}
+
 void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   const int64_t *c = form->u.sphere.center;
   int64_t center[3], radius = form->u.sphere.radius;
   fc_cone cone;
-  fc_window doubt;
   ahead_form ahead;
   uint16_t row;
   uint8_t i;
   int8_t everywhere;
   int64_t bulge;
+  bool known = false;
   shadow_test clear;
   for (i = 0; i < 3; i++) center[i] = c[i] - scan->frame->lights[i]; /* below 2^31 */
-  if (fc_i128_compare(fc_i128_dot(center, center), fc_i128_mul(radius, radius)) <= 0) {
+  /* squares below 2^62, three of them below 2^64 */
+  if (square_of(center) <= (uint64_t)(radius * radius)) {
     fc_planar_ask(scan, kind, form); /* the light inside the sphere, or on it */
     return;
   }
   everywhere = set_ahead(scan, receiver, center, &ahead);
-  if (everywhere < 0 || !fc_planar_faces_ball(scan, receiver, c, radius, &doubt)) return;
+  if (everywhere < 0) return;
   fc_cone_setup(&cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
   clear.dark = cone.error;
   clear.lit = -cone.error;
   clear.everywhere = everywhere;
   clear.ahead = ahead;
-  clear.doubt = doubt;
   clear.receiver = receiver;
   clear.kind = kind;
   clear.form = form;
@@ -1128,7 +1146,11 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
     uint16_t column = 0;
     uint8_t word;
     if (row < scan->first_row || row_is_clear(&cone, clear.lit)) continue;
-    clear.doubted = scan->y + row >= doubt.y0 && scan->y + row <= doubt.y1;
+    if (!known) {
+      if (!fc_planar_faces_ball(scan, receiver, c, radius, &clear.doubt)) return;
+      known = true;
+    }
+    clear.doubted = scan->y + row >= clear.doubt.y0 && scan->y + row <= clear.doubt.y1;
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
       /* 32 columns on: f + 32 dx + 496 dxx */

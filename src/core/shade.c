@@ -6,32 +6,42 @@
 #include "view.h"
 
 FC_COLD void fc_surface_offset(const fc_surface *surface, int rule, int64_t epsilon, int64_t point[3]) {
+  int64_t n[3];
   uint8_t i;
-  for (i = 0; i < 3; i++) point[i] = surface->point[i];
-  if (rule == FC_OFFSET_RESIDUAL) {
-    /* Off by 1 unit an axis, a point crosses a surface within a few steps along the normal's dominant axis: on planes the residual is at
-     * most |n|_1 <= 3 |n|_max, so 4 do. */
-    const int64_t *n = surface->normal;
-    uint8_t axis = 0;
+  (void)fc_shrink(surface->normal, n);
+  for (i = 0; i < 3; i++) {
+    point[i] = surface->point[i];
+    if (surface->inside) n[i] = -n[i];
+  }
+  if (rule == FC_OFFSET_RESIDUAL && surface->point_error != UINT32_MAX) {
+    /* Along the normal's dominant axis: a point within e units an axis is at most 3 e + 1 from a plane there, as |n|_1 <= 3 |n|_max.
+     * Out by e at a time, then back as far as the side allows. */
+    int64_t step = surface->point_error;
+    uint8_t axis = 0, out = 5;
     for (i = 1; i < 3; i++)
       if (fc_abs64(n[i]) > fc_abs64(n[axis])) axis = i;
-    for (i = 0; i < 8; i++) {
+    if (n[axis] < 0) step = -step;
+    for (;;) {
       int8_t side = fc_kind_of(&surface->at)->side(&surface->form, point);
-      if (surface->inside ? side < 0 : side > 0) break;
-      point[axis] += (n[axis] < 0) != surface->inside ? -1 : 1;
+      bool right = side != 0 && (side < 0) == surface->inside;
+      if (right) out = 0;
+      if (out == 0) {
+        if (!right) point[axis] += step;
+        step /= 2;
+        if (step == 0) break;
+        point[axis] -= step;
+      } else {
+        out--;
+        point[axis] += step;
+      }
     }
   } else if (rule == FC_OFFSET_EPSILON) {
     /* along a unit normal in Q30 that is within 2^-24 */
-    int64_t n[3];
-    fc_quick length;
-    (void)fc_shrink(surface->normal, n);
-    length = fc_quick_from((uint64_t)fc_dot(n, n), 0);
+    fc_quick length = fc_quick_from((uint64_t)fc_dot(n, n), 0);
     if (length.m == 0) return;
     length = fc_quick_rsqrt(length);
-    for (i = 0; i < 3; i++) {
-      int32_t unit = fc_quick_times(length, surface->inside ? -n[i] : n[i], 30);
-      point[i] += fc_i128_to_i64(fc_i128_round_shift(fc_i128_mul(unit, epsilon), 30));
-    }
+    for (i = 0; i < 3; i++)
+      point[i] += fc_i128_to_i64(fc_i128_round_shift(fc_i128_mul(fc_quick_times(length, n[i], 30), epsilon), 30));
   }
 }
 
@@ -58,30 +68,14 @@ static FC_COLD uint32_t irradiance_q24(const fc_frame *frame, const fc_surface *
   return value.e > 0 ? UINT32_MAX : (uint32_t)fc_quick_to_u64(value);
 }
 
-FC_COLD void fc_segment_from(fc_segment *segment, const fc_root *root, const int64_t direction[3], const int64_t point[3],
-                             bool point_valid, const int64_t light[3]) {
-  uint8_t i;
-  for (i = 0; i < 3; i++) {
-    segment->light[i] = light[i];
-    segment->point[i] = point[i];
-  }
-  segment->root = root;
-  segment->direction = direction;
-  segment->point_error = 1;
-  segment->point_valid = point_valid;
-  segment->outside = true;
-  fc_segment_prepare(segment);
-}
-
 FC_COLD bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const int64_t position[3]) {
   fc_segment segment;
-  fc_segment_from(&segment, &surface->root, surface->direction, surface->point, surface->point_valid, position);
-  if (!fc_kind_of(&surface->at)->facing(&surface->form, &surface->prepared, &segment)) return false;
+  fc_segment_from(&segment, &surface->root, surface->direction, position);
+  if (!fc_kind_of(&surface->at)->facing(&surface->form, &segment)) return false;
   if (frame->options.offset_rule == FC_OFFSET_EXACT) return !fc_space_blocked(space, &segment, surface->primitive);
   segment.root = NULL;
   segment.outside = false; /* rounded, it may have slipped through */
   segment.point_error = 0;
-  segment.point_valid = true;
   fc_surface_offset(surface, frame->options.offset_rule, frame->epsilon_grid, segment.point);
   fc_segment_prepare(&segment);
   return !fc_space_blocked(space, &segment, FC_PRIMITIVES_MAX);

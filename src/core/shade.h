@@ -8,10 +8,6 @@
 #include "fixcast/render.h"
 #include "space.h"
 
-/* The segment from where a ray from camera space's eye ends, rounded to `point`, to a light. */
-void fc_segment_from(fc_segment *segment, const fc_root *root, const int64_t direction[3], const int64_t point[3],
-                     bool point_valid, const int64_t light[3]);
-
 /* Whether a light at a camera-space position reaches a completed surface. */
 bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const int64_t position[3]);
 

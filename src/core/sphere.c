@@ -109,13 +109,6 @@ static FC_COLD void fetch(const fc_group *group, uint16_t index, fc_form *form) 
   FC_READ(&form->object, &item->object, sizeof form->object);
 }
 
-/* |v|^2 - r^2 for v below 2^62, exact. */
-static FC_COLD fc_i128 power(const int64_t v[3], int64_t radius) {
-  fc_i128 square = fc_i128_dot(v, v), r = fc_i128_mul(radius, radius);
-  fc_i128_minus(&square, &r);
-  return square;
-}
-
 static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
   int64_t *oc = prepared->u.sphere.oc, r = form->u.sphere.radius;
   uint64_t far, near = (uint64_t)(r * r);
@@ -146,9 +139,11 @@ static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction
 
 static FC_COLD int8_t side(const fc_form *form, const int64_t point[3]) {
   int64_t v[3];
+  fc_i128 square;
   uint8_t i;
   for (i = 0; i < 3; i++) v[i] = point[i] - form->u.sphere.center[i];
-  return fc_i128_sign(power(v, form->u.sphere.radius));
+  square = fc_i128_dot(v, v);
+  return fc_i128_compare(square, fc_i128_from(form->u.sphere.radius * form->u.sphere.radius));
 }
 
 static FC_COLD void bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {
@@ -215,18 +210,16 @@ static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
   return light >= 0 && point >= 0 && light + point > 0 && sign_of(away, form, segment, FC_DECIDE_PASS) > 0;
 }
 
-static FC_COLD bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
+static FC_COLD bool facing(const fc_form *form, const fc_segment *segment) {
   int8_t turned = sign_of(away, form, segment, FC_DECIDE_FACING);
-  if (fc_i128_sign(prepared->u.sphere.c) > 0) return turned < 0;
+  if (side(form, fc_eye) > 0) return turned < 0;
   /* from inside (or on it, looking in), the light must be inside too, or the sphere itself is in the way */
   return turned > 0 && side(form, segment->light) <= 0;
 }
 
-static FC_COLD bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
+static FC_COLD void normal(const fc_form *form, const int64_t point[3], int64_t n[3]) {
   uint8_t i;
-  (void)prepared;
   for (i = 0; i < 3; i++) n[i] = point[i] - form->u.sphere.center[i];
-  return false; /* which side is seen, the root knows */
 }
 
 static FC_COLD void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
