@@ -13,7 +13,7 @@ typedef struct cosine {
 /* 1 / |n|, and n / |n| in Q30. */
 static fc_quick normalise(const int64_t n[3], int32_t unit[3]) {
   /* below 2^30: a sum of squares below 2^62 */
-  fc_quick inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_small_dot(n, n), 0));
+  fc_quick inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_dot(n, n), 0));
   uint8_t i;
   for (i = 0; i < 3; i++) unit[i] = fc_quick_times(inverse, n[i], 30);
   return inverse;
@@ -33,24 +33,20 @@ static uint64_t reach_of(int64_t at, int64_t dx, int64_t dy, const fc_scan *scan
 /* W and the cosine's numerator over the tile; false when W is so small that its cuts would tell. */
 static FC_COLD bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
   const int64_t *n = planar->normal, *light = scan->frame->lights;
-  int64_t d[3], step, nd, ndx, ndy, at[3], dx[3], dy[3];
+  /* the direction, its steps, and their products with n, for W's three forms */
+  int64_t d[3][3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, step, nd[3], form[3][3];
   fc_quick factor;
   uint64_t most = 0;
-  uint8_t i, shift;
-  fc_scan_direction(scan, d, &step);
-  nd = fc_small_dot(n, d); /* 30 + 29 bits, three terms */
-  ndx = n[0] * step;
-  ndy = -n[1] * step;
+  uint8_t i, j, shift;
+  fc_scan_direction(scan, d[0], &step);
+  d[1][0] = step;
+  d[2][1] = -step;
+  for (j = 0; j < 3; j++) nd[j] = fc_dot(n, d[j]); /* 30 + 29 bits, three terms */
   for (i = 0; i < 3; i++) {
-    /* k D - (n.D) L in units of 2^32: 62 + 30 bits each, so below 2^61; each within 2 */
-    int32_t l = (int32_t)light[i];
     uint64_t reach;
-    at[i] = fc_smul64hi(planar->k, (int32_t)d[i]) - fc_smul64hi(nd, l);
-    dx[i] = -fc_smul64hi(ndx, l);
-    dy[i] = -fc_smul64hi(ndy, l);
-    if (i == 0) dx[i] += fc_smul64hi(planar->k, (int32_t)step);
-    if (i == 1) dy[i] -= fc_smul64hi(planar->k, (int32_t)step);
-    reach = reach_of(at[i], dx[i], dy[i], scan);
+    /* k D - (n.D) L in units of 2^32: 62 + 30 bits each, so below 2^61; each within 2 */
+    for (j = 0; j < 3; j++) form[j][i] = fc_smul64hi(planar->k, (int32_t)d[j][i]) - fc_smul64hi(nd[j], (int32_t)light[i]);
+    reach = reach_of(form[0][i], form[1][i], form[2][i], scan);
     if (reach > most) most = reach;
   }
   i = fc_bits64(most);
@@ -58,25 +54,25 @@ static FC_COLD bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g)
   if (i < (planar->slack != 0 ? 46 : 34)) return false;
   shift = (uint8_t)(i - 29); /* a bit is left for the roundings */
   for (i = 0; i < 3; i++) {
-    planar->w.at[i] = nearest(at[i], shift);
-    planar->w.dx[i] = nearest(dx[i], shift);
-    planar->w.dy[i] = nearest(dy[i], shift);
+    planar->w.at[i] = nearest(form[0][i], shift);
+    planar->w.dx[i] = nearest(form[1][i], shift);
+    planar->w.dy[i] = nearest(form[2][i], shift);
   }
   /* each form is within 1/2 + 2^-5 of its rounding, and a cut normal moves W by less than 3 (2^30 2^29 + 2^29 2^30) */
   planar->w.error = ((uint32_t)scan->columns + scan->rows) / 2 + 3;
   planar->w.error += planar->w.error / 16 + 1;
   if (planar->slack != 0) planar->w.error += (UINT32_C(6) << 28 >> shift) + 1;
   factor = fc_quick_mul(fc_quick_from(fc_abs64(planar->height), (int16_t)(-32 - shift)), normalise(n, planar->unit));
-  g->at = fc_quick_times(factor, nd, 0);
-  g->dx = fc_quick_times(factor, ndx, 0);
-  g->dy = fc_quick_times(factor, ndy, 0);
+  g->at = fc_quick_times(factor, nd[0], 0);
+  g->dx = fc_quick_times(factor, nd[1], 0);
+  g->dy = fc_quick_times(factor, nd[2], 0);
   return true;
 }
 
 FC_COLD int64_t fc_ball_foot(const int64_t n[3], const int32_t unit[3], int64_t above, const int64_t center[3], int64_t radius,
                              int64_t foot[3]) {
   /* |n| below 2^31 and at least 1, so 1 / |n| times |above| is within 2^-25 and 1: 2^-24 r + 2 where it is about r */
-  int64_t square = fc_small_dot(n, n), margin = fc_ball_margin(radius), dip;
+  int64_t square = fc_dot(n, n), margin = fc_ball_margin(radius), dip;
   int64_t rise = fc_quick_times(fc_quick_rsqrt(fc_quick_from((uint64_t)square, 0)), above, 0); /* INT32_MAX: farther */
   uint8_t i;
   for (i = 0; i < 3; i++) foot[i] = center[i] + fc_floor_shift64(unit[i] * rise, 30); /* 31 + 31 bits */
@@ -92,7 +88,7 @@ FC_COLD int64_t fc_ball_foot(const int64_t n[3], const int32_t unit[3], int64_t 
 FC_COLD bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
                                   fc_window *doubt) {
   const int64_t *n = receiver->normal;
-  int64_t above = receiver->k - fc_small_dot(n, center), t[3], to_light[3], margin = fc_ball_margin(radius), dip, reach;
+  int64_t above = receiver->k - fc_dot(n, center), t[3], to_light[3], margin = fc_ball_margin(radius), dip, reach;
   fc_quick lever;
   uint8_t i;
   doubt->x0 = doubt->y0 = 1;
@@ -131,7 +127,7 @@ static FC_COLD bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t 
   int64_t d[3], nd;
   fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
-  nd = fc_small_dot(planar->normal, d);
+  nd = fc_dot(planar->normal, d);
   if (planar->slack != 0 && nd >> 50 == 0) return false;
   return nd > 0 && fc_point_at(fc_num_div(k, fc_num_from_u64((uint64_t)nd, 0)), eye, d, point);
 }
@@ -312,7 +308,7 @@ typedef struct square_form {
   uint64_t dy, dyy, dxy;
 } square_form;
 
-static FC_NOINLINE uint64_t dot32(const int32_t a[3], const int32_t b[3]) {
+static FC_COLD uint64_t dot32(const int32_t a[3], const int32_t b[3]) {
   uint64_t sum = 0;
   uint8_t i;
   for (i = 0; i < 3; i++)
@@ -320,7 +316,7 @@ static FC_NOINLINE uint64_t dot32(const int32_t a[3], const int32_t b[3]) {
   return sum;
 }
 
-static void set_square(const fc_sheaf *w, square_form *s) {
+static FC_COLD void set_square(const fc_sheaf *w, square_form *s) {
   uint64_t xx = dot32(w->dx, w->dx), yy = dot32(w->dy, w->dy);
   s->at = dot32(w->at, w->at);
   s->dx = 2 * dot32(w->at, w->dx) + xx;
@@ -336,7 +332,7 @@ static inline void next_row(square_form *s) {
   s->dx += s->dxy;
 }
 
-static void start_row(const square_form *s, const cosine *g, uint16_t row, uint16_t column, cosine_row *r) {
+static FC_NOINLINE void start_row(const square_form *s, const cosine *g, uint16_t row, uint16_t column, cosine_row *r) {
   /* q below 2^32; over 128 columns the rounded differences add up to an error below 2^14 */
   uint64_t at = s->at, dx = s->dx;
   if (column != 0) {
@@ -507,24 +503,29 @@ static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g
 }
 
 /* The plane turned to the eye, and cut to 30 bits. */
-static void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t normal[3], fc_i128 k, const int64_t *point) {
+static FC_COLD void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t normal[3], fc_i128 k, const int64_t *point) {
   uint8_t bits = fc_vector_bits(normal), cut = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
   bool away = fc_i128_sign(k) < 0;
-  planar->exact_k = away ? fc_i128_neg(k) : k;
+  planar->exact_k = k;
+  if (away) fc_i128_negate(&planar->exact_k);
   for (i = 0; i < 3; i++) {
     planar->exact[i] = away ? -normal[i] : normal[i];
     planar->normal[i] = fc_floor_shift64(planar->exact[i], cut);
   }
-  planar->k = cut == 0 ? fc_i128_to_i64(planar->exact_k) : fc_small_dot(planar->normal, point);
+  planar->k = cut == 0 ? fc_i128_to_i64(planar->exact_k) : fc_dot(planar->normal, point);
   /* an axis of the normal is off by up to 1, of p - point by up to 2^31; and |n| times a radius by up to 2^31 */
   planar->slack = cut == 0 ? 0 : INT64_C(4) << 31;
-  planar->height = planar->k - fc_small_dot(planar->normal, scan->frame->lights);
+  planar->height = planar->k - fc_dot(planar->normal, scan->frame->lights);
 }
 
 FC_COLD int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]) {
-  int64_t side = planar->k - fc_small_dot(planar->normal, p);
+  int64_t side = planar->k - fc_dot(planar->normal, p);
+  fc_i128 height, along;
   if (planar->slack == 0 || (int64_t)fc_abs64(side) > planar->slack) return fc_sign64(side);
-  return fc_i128_sign(fc_i128_sub(planar->exact_k, fc_i128_dot(planar->exact, p))); /* 63 + 30 bits */
+  height = planar->exact_k;
+  along = fc_i128_dot(planar->exact, p); /* 63 + 30 bits */
+  fc_i128_minus(&height, &along);
+  return fc_i128_sign(height);
 }
 
 FC_COLD void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {

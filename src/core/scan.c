@@ -17,13 +17,19 @@ static FC_COLD bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int
   return fc_form_meet(fc_kind_of(scan->at), scan->form, fc_eye, d, root) != 0;
 }
 
-FC_COLD bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
+/* Whether the primitive is there, with its depth code: the root is not on the stack afterwards. */
+static FC_COLD bool code_at(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], uint16_t *code) {
   fc_root root;
+  if (!meet(scan, row, column, d, &root) || fc_too_far(scan->frame, &root, d)) return false;
+  *code = fc_depth_code(scan->frame, &root);
+  return true;
+}
+
+FC_COLD bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
   int64_t d[3];
   uint16_t code, *depth = fc_scan_depth(scan, row, column);
   FC_TALLY(FC_DECIDE_PIXEL, true);
-  if (!meet(scan, row, column, d, &root) || fc_too_far(scan->frame, &root, d)) return false;
-  code = fc_depth_code(scan->frame, &root);
+  if (!code_at(scan, row, column, d, &code)) return false;
   if (code < *depth) return false;
   if (code == *depth) {
     /* whatever is drawn there, or will be: the pixel goes to the nearest of all */
