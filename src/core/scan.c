@@ -282,6 +282,16 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
     if (!kind.hidden) {
       affine_form form;
       set_codes(&form, at, step, count, error, &coder);
+      if (step == 0 && (form.at & 0xffffu) <= form.open) {
+        /* a level row has one depth, so one question will do */
+        int64_t d[3];
+        uint16_t code;
+        FC_TALLY(FC_DECIDE_PIXEL, true);
+        if (code_at(scan, row, column, d, &code)) {
+          form.at = ((uint32_t)code << 16) + 0x8000u;
+          form.open = 0;
+        }
+      }
       affine_plain(scan, row, column, count, &form);
     }
     at += fc_times((uint64_t)step, count);
