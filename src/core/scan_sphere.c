@@ -67,14 +67,13 @@ bool fc_sphere_window(const fc_frame *frame, const fc_group *group, uint16_t ind
  */
 typedef struct ball_light {
   int32_t at, dx, dy;     /* D.(L - C) near / (F r l) at the tile's first pixel and its steps, times a power of two */
-  int16_t shift;          /* s + s0 = that * 2^31 / m / 2^(16 + shift) / 2^22, m the first 16 bits of p; less p's octave */
-  int32_t away, h, sum;   /* Q22; away = s0 + h, sum = 1 + h^2 */
-  int32_t margin;         /* Q22: bound on the error of s from 16 bits of p */
+  int16_t shift;          /* s + s0 = that * 2^31 / m / 2^(16 + shift) / 2^24, m the first 16 bits of p; less p's octave */
+  int32_t away, h, sum;   /* Q24; away = s0 + h, sum = 1 + h^2 */
+  int32_t margin;         /* Q24: bound on the error of s from 16 bits of p */
   int32_t fine_margin;    /* ... and refined */
   uint8_t octave, octaves; /* p of fewer bits, or octaves or more above them, is left to the ray engine */
-  uint8_t width;          /* cosine[i]: Q15, at s - h = i 2^width in Q22 */
-  uint16_t cosine[66];
   fc_quick depth;         /* near 2^(30 + drop) / F: over p it is t */
+  uint32_t curve[3];      /* cosine / (s - h) = curve[0] + x (curve[1] + x curve[2]), Q16, x = s - h; curve[0] 0: see cosine_of */
   uint8_t occluders;      /* MANY: more than the list holds */
   struct {
     uint16_t primitive;
@@ -127,31 +126,48 @@ static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
   (void)fc_space_search(&space, &reach, add_occluder, &list);
 }
 
-/* The cosines that shade_row needs; false when there would be too many. */
-static FC_COLD bool set_cosines(ball_light *light) {
-  /*
-   * (s - h) / sqrt(q), q = 1 + h^2 - 2 s h, bends by 2 h q^-3/2 + 3 h^2 (s - h) q^-5/2, most at s = 1. With g = 1 - h a chord over
-   * w is off by w^2 / 8 (2 h g + 3 h^2) / g^4 at most: 2^-11 when w^2 (2 h g + 3 h^2) <= 2^-8 g^4. (Half of it more up to w behind
-   * s = 1, as q^-5/2 grows by a fifth there.)
-   */
-  const uint32_t whole = (UINT32_C(1) << 22) - (uint32_t)light->h, h = (uint32_t)light->h >> 7, g = whole >> 7; /* Q15 */
-  /* w^2 (2 h g + 3 h^2) 2^8, w = 1/4, and g^4 in Q20; products are Q30, below 2.1 */
-  uint32_t bend = (2 * g + 3 * h) * h >> 6, least = (g * g >> 15) * (g * g >> 15) >> 10, e, i;
-  uint8_t width = 20;
-  while (bend > least) {
-    bend >>= 2;
-    width--;
+/* The cosine in Q16 from s - h = e > 0. */
+FC_INLINE uint32_t cosine_of(uint32_t e, uint32_t sum, uint32_t h, uint32_t start) {
+  /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
+  uint32_t g = (sum - (((e >> 8) + start) * h >> 6)) << 6;
+  uint8_t up = 15;
+  while (g < UINT32_C(1) << 30) {
+    g <<= 2;
+    up--;
   }
-  if (whole >> width >= FC_COUNT_OF(light->cosine) - 1) return false;
-  light->width = width;
-  for (i = 0, e = 0; i <= (whole >> width) + 1; i++, e += UINT32_C(1) << width) {
-    /* Q15 * Q15; at least (1 - h)^2 - 2 h w > 2^-5 */
-    uint32_t x = (uint32_t)light->sum - ((((e + (uint32_t)light->h) >> 7) * h) >> 7);
-    uint8_t up = 15;
-    for (x <<= 8; x < UINT32_C(1) << 30; x <<= 2) up--;
-    light->cosine[i] = (uint16_t)((((e >> 7) * fc_rsqrt_q15(x)) >> up) >> 1); /* below 1.5 */
-  }
-  return true;
+  e = ((e >> 9) * fc_rsqrt_q15(g)) >> up;
+  return e > 65536 ? 65536 : e;
+}
+
+/* 1 / sqrt(1 + h^2 - 2 s h) in Q16, for h up to 1/4. */
+static FC_COLD int32_t inverse_distance(const ball_light *light, uint32_t e) {
+  uint32_t g = ((uint32_t)light->sum - (((e >> 8) + ((uint32_t)light->h >> 8)) * ((uint32_t)light->h >> 9) >> 6)) << 6;
+  /* at least (3/4)^2 in Q30: one shift makes it 2^30 */
+  return (int32_t)(g < UINT32_C(1) << 30 ? 2 * fc_rsqrt_q15(g << 2) : fc_rsqrt_q15(g));
+}
+
+/*
+ * Where h is small, 1 / sqrt(1 - h^2 - 2 x h) hardly bends over x = s - h in 0 .. X = 1 - h: a parabola through its values at both
+ * ends and the middle is off by at most 0.0481 / 6 of the third derivative in x / X, which is 15 h^3 / (1 - h)^4: 2^-10.3 at
+ * h = 0.15; the values' own errors, 2^-14, come to less than 2^-13.
+ */
+static FC_COLD void set_curve(ball_light *light) {
+  const uint32_t whole = (UINT32_C(1) << 24) - (uint32_t)light->h;
+  int32_t g0, g1, g2, slope, bend, r;
+  light->curve[0] = 0;
+  if (light->h > 2516582) return; /* 0.15 */
+  g0 = inverse_distance(light, 0);
+  g1 = inverse_distance(light, whole / 2);
+  g2 = inverse_distance(light, whole);
+  slope = 4 * g1 - 3 * g0 - g2;
+  bend = 2 * (g2 - 2 * g1 + g0);
+  /* 1 / X in Q15, up to 2^15.3; slope and bend below 2^15 */
+  r = (int32_t)fc_recip_q31(whole >> 8 > 0xffffu ? 0xffffu : whole >> 8);
+  slope = slope < 0 ? 0 : slope * r / 32768;
+  bend = bend < 0 ? 0 : bend * r / 32768 * r / 32768;
+  light->curve[0] = (uint32_t)g0;
+  light->curve[1] = (uint32_t)slope;
+  light->curve[2] = (uint32_t)bend;
 }
 
 /* p: near / z = p / 2^(30 + drop), off by at most `error`. */
@@ -173,24 +189,23 @@ static FC_COLD uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t
   inverse = fc_quick_rsqrt(fc_quick_from(square, 0)); /* 1 / l */
   ratio = fc_quick_mul(inverse, fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0));
   if (!fc_quick_less(ratio, near)) return LIGHT_SLOW;
-  light->h = fc_quick_to_int(ratio, 22);
-  /* 1 + h^2 - 2 s h, at least (1 - h)^2, is cut to 2^-14; from 2^-4 on that costs the cosine 2^-11 of itself */
-  if (light->h > (INT32_C(3) << 20)) return LIGHT_SLOW;
-  light->sum = (INT32_C(1) << 22) + (int32_t)(fc_smul32(light->h, light->h) >> 22);
-  if (!set_cosines(light)) return LIGHT_SLOW;
+  light->h = fc_quick_to_int(ratio, 24);
+  /* 1 + h^2 - 2 s h is cut to 2^-13.4; from (1 - h)^2 = 2^-4 on that costs the cosine 2^-10 of itself */
+  if (light->h > (INT32_C(3) << 22)) return LIGHT_SLOW;
+  light->sum = (INT32_C(1) << 24) + (int32_t)(fc_smul32(light->h, light->h) >> 24);
   inverse = fc_quick_mul(inverse, fc_quick_recip(fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0))); /* 1 / (r l) */
   center_light = fc_small_dot(c, l); /* 30 + 31 bits and two: below 2^63 */
   unit = fc_quick_mul(inverse, fc_quick_from(fc_abs64(center_light), 0));
   if (!fc_quick_less(unit, fc_quick_from(64, 0))) return LIGHT_SLOW;
-  s0 = fc_quick_times(inverse, center_light, 22);
+  s0 = fc_quick_times(inverse, center_light, 24);
   light->away = s0 + light->h;
-  light->fine_margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 22)) >> 19) + 16;
-  light->margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 22)) >> 13) + 16;
+  light->fine_margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 24)) >> 19) + 64;
+  light->margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 24)) >> 13) + 64;
   /* The cosine grows by (1 - s h) / (1 + h^2 - 2 s h)^(3/2) <= 1 / (1 - h)^2 times an error of s, which may cost 2^-9, half a
    * level in 255: if 16 bits of p do not do, all are refined. */
-  gap = (uint32_t)((INT32_C(1) << 22) - light->h) >> 7;
-  if (light->fine_margin >= (int32_t)(gap * gap >> 17)) return LIGHT_SLOW;
-  if (light->margin >= (int32_t)(gap * gap >> 17)) light->margin = INT32_MAX;
+  gap = (uint32_t)((INT32_C(1) << 24) - light->h) >> 9;
+  if (light->fine_margin >= (int32_t)(gap * gap >> 15)) return LIGHT_SLOW;
+  if (light->margin >= (int32_t)(gap * gap >> 15)) light->margin = INT32_MAX;
   /* D below 2^30, l below 2^31: sums of three below 2^63 */
   at = fc_small_dot(d, l);
   most = (int64_t)fc_abs64(at) / 2 + (int64_t)fc_abs64(l[0] * step) / 2 * scan->columns +
@@ -205,17 +220,18 @@ static FC_COLD uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t
   light->at = fc_quick_times(unit, at, shift);
   light->dx = fc_quick_times(unit, l[0] * step, shift);
   light->dy = fc_quick_times(unit, -l[1] * step, shift);
-  shift = (int16_t)(shift - 52 - drop);
-  /* p's error may cost 2^-20 of s + s0, and octave + shift is a shift of 0 .. 31; a floor before the former is 2^-16, below
+  shift = (int16_t)(shift - 54 - drop);
+  /* p's error may cost 2^-20 of s + s0, and octave + shift is a shift of -8 .. 31; a floor before the former is 2^-16, below
    * the margins where s0 is that large */
   lowest = (int16_t)(20 + fc_bits64(error));
   highest = 31;
-  if (lowest < -shift) lowest = (int16_t)-shift;
+  if (lowest < -shift - 8) lowest = (int16_t)(-shift - 8);
   if (highest > 31 - shift) highest = (int16_t)(31 - shift);
   if (lowest > highest) return LIGHT_SLOW;
   light->octave = (uint8_t)lowest;
   light->octaves = (uint8_t)(highest - lowest);
   light->shift = shift;
+  set_curve(light);
   return LIGHT_FORMS;
 }
 
@@ -301,76 +317,133 @@ static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint1
   return false;
 }
 
-/* along 2^31 / v, v of that octave, less `away` */
-static inline int32_t over(int32_t along, uint32_t r, uint8_t down, int32_t away) {
-  /* along within 2^30, r within 2^16 */
-  int32_t e = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16);
-  return fc_floor_shift32(e, down) - away;
+/* v / 2^down, floored, for down from -8: what is scaled up is below 2^30 after it. */
+static inline int32_t scaled_back(int32_t v, int16_t down) {
+  return down >= 0 ? fc_floor_shift32(v, (uint8_t)down) : v * (INT32_C(1) << -down);
+}
+
+/* s - h of pixels whose p is in one octave, for face_octave. */
+typedef struct facing {
+  uint32_t low, margin;
+  int32_t dx, away;
+  uint8_t cut, down;
+} facing;
+
+/* v / p times 2^cut 2^31 / 2^16, v within 2^30: a product of 31 and 16 bits. */
+FC_INLINE int32_t over(int32_t v, uint32_t p, uint8_t cut) {
+  uint32_t r = fc_recip_q31(p >> cut);
+  return fc_floor_shift32(v, 16) * (int32_t)r + (int32_t)((((uint32_t)v & 0xffffu) * r) >> 16);
 }
 
 /* s - h of a pixel, refined. */
 static FC_COLD int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
   uint32_t r = fc_recip_q31(p >> (octave - 15));
-  int32_t s = over(along, r, 0, 0);
+  int32_t s = over(along, p, (uint8_t)(octave - 15));
   /* times 1 + rest with rest = 1 - x r, below 2^-13 */
   int32_t rest = (INT32_C(1) << 30) - (int32_t)fc_mulhi32(p << (31 - octave), r << 15);
   s += fc_floor_shift32(fc_floor_shift32(s, 17) * rest, 13);
-  return fc_floor_shift32(s, (uint8_t)(octave + light->shift)) - light->away;
+  return scaled_back(s, (int16_t)(octave + light->shift)) - light->away;
 }
 
-/* Turns p of the pixels in `bits` into s - h in Q22; returns those that are within the margin, or out of reach, and in
- * *averted those that do not face the light. */
-static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *p, uint32_t *averted) {
-  const int32_t dx = light->dx, away = light->away, margin = light->margin;
-  uint32_t low = 0, open = 0, dark = 0, bit = 1;
-  uint8_t octave = 0, down = 0, cut = 0;
-  for (; bits != 0; bits >>= 1, bit <<= 1, p++, along += dx) {
+/* Turns p of the pixels from here on into s - h in Q24, until one leaves the octave, or `end`: marks those within the margin,
+ * which keep their p, and those that turn away. */
+static FC_NOINLINE uint32_t *face_octave(const facing *of, int32_t along, uint32_t *p, const uint32_t *end, uint32_t bit,
+                                         uint32_t *close, uint32_t *dark) {
+  const uint32_t low = of->low, margin = of->margin;
+  const int32_t dx = of->dx, away = of->away;
+  const uint8_t cut = of->cut, down = of->down;
+  uint32_t near = 0, averted = 0;
+  do {
     uint32_t v = *p;
     int32_t e;
-    if (!(bits & 1)) continue;
-    if (v - low >= low) {
-      octave = (uint8_t)(31 - fc_clz32(v));
-      low = UINT32_C(1) << octave;
-      if ((uint8_t)(octave - light->octave) > light->octaves) {
-        low = 0;
-        open |= bit;
-        continue;
-      }
-      cut = (uint8_t)(octave - 15);
-      down = (uint8_t)(octave + light->shift);
+    if (v - low >= low) break;
+    e = fc_floor_shift32(over(along, v, cut), down) - away;
+    if ((uint32_t)e + margin <= 2 * margin) {
+      near |= bit;
+    } else {
+      if (e < 0) averted |= bit;
+      *p = (uint32_t)e;
     }
-    e = over(along, fc_recip_q31(v >> cut), down, away);
-    if (e <= margin) {
-      if (e >= -margin) {
-        int32_t fine = light->fine_margin;
-        e = refined(light, along, v, octave);
-        if (e >= -fine && e <= fine) open |= bit;
-      }
-      if (e < 0) dark |= bit;
+    bit <<= 1;
+    along = fc_to_i32((uint32_t)along + (uint32_t)dx); /* one step more than there are pixels */
+  } while (++p != end);
+  *close |= near;
+  *dark |= averted;
+  return p;
+}
+
+/* Turns p of the pixels in `bits` into s - h in Q24 (of others, too); returns those that are within the margin, or out of
+ * reach, and in *averted those that do not face the light. */
+static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *first, uint32_t *averted) {
+  uint32_t open = 0, dark = 0, close = 0, left, *p = first, *end = first;
+  facing of;
+  of.dx = light->dx;
+  of.away = light->away;
+  of.margin = (uint32_t)light->margin;
+  for (left = bits; left != 0; left >>= 1) end++;
+  while (p != end) {
+    uint32_t bit = UINT32_C(1) << (p - first), v = *p;
+    uint8_t octave;
+    int16_t down;
+    if (!(bits & bit)) {
+      p++;
+      continue;
     }
+    octave = (uint8_t)(31 - fc_clz32(v)); /* what is shown has a p */
+    down = (int16_t)(octave + light->shift);
+    if ((uint8_t)(octave - light->octave) > light->octaves) {
+      open |= bit;
+      p++;
+    } else if (down < 0) {
+      close |= bit;
+      p++;
+    } else {
+      of.low = UINT32_C(1) << octave;
+      of.cut = (uint8_t)(octave - 15);
+      of.down = (uint8_t)down;
+      p = face_octave(&of, along + of.dx * (int32_t)(p - first), p, end, bit, &close, &dark);
+    }
+  }
+  for (p = first, left = close & bits; left != 0; left >>= 1, p++) {
+    int32_t e, fine = light->fine_margin;
+    uint32_t bit = UINT32_C(1) << (p - first);
+    if (!(left & 1)) continue;
+    e = refined(light, along + of.dx * (int32_t)(p - first), *p, (uint8_t)(31 - fc_clz32(*p)));
+    if (e >= -fine && e <= fine) open |= bit;
+    if (e < 0) dark |= bit;
     *p = (uint32_t)e;
   }
-  *averted = dark & ~open;
+  *averted = dark & bits & ~open;
   return open;
 }
 
-/* Colours the pixels of a row in `bits` from s - h > 0 of each. */
-static FC_NOINLINE void shade_row(const ball_light *restrict light, const fc_tint *restrict tint, uint32_t bits,
-                                  const uint32_t *restrict p, uint8_t *restrict to, uint8_t pixel_bytes) {
-  const uint32_t whole = (UINT32_C(1) << 22) - (uint32_t)light->h;
-  const uint8_t width = light->width, rest = (uint8_t)(32 - width);
-  for (; bits != 0; bits >>= 1, to += pixel_bytes, p++) {
-    uint32_t e = *p, c; /* the cosine grows with e */
-    const uint16_t *at;
+/* Colours the pixels of a row in `bits` from s - h > 0 of each, where the light's curve holds. */
+static FC_NOINLINE void shade_curve(const ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to) {
+  const uint32_t c0 = light->curve[0], c1 = light->curve[1], c2 = light->curve[2];
+  const uint32_t red = tint->base[0], green = tint->base[1], blue = tint->base[2];
+  const uint32_t red_slope = tint->slope[0], green_slope = tint->slope[1], blue_slope = tint->slope[2];
+  for (; bits != 0; bits >>= 1, to += 2, p++) {
+    uint32_t x = *p >> 9, packed; /* Q15, at most 1 and little more */
     if (!(bits & 1)) continue;
-    if (e > whole) e = whole;
-    at = light->cosine + (e >> width);
-    /* a difference below 2^16, 15 bits of a width */
-    c = at[0];
-    c = 2 * c + (((at[1] - c) * ((e << rest) >> 17)) >> 14);
-    if (c >> 16) c = UINT32_C(1) << 16;
-    fc_tint_put(tint, c, to);
+    /* below 2^15 + 2^15 and 2^15, Q16; 2^16.3; 2^31.3 */
+    x = (x * (c0 + (x * (c1 + (x * c2 >> 15)) >> 15))) >> 15;
+    if (x > 65536) x = 65536;
+    packed = (red + red_slope * x) >> FC_TINT_BITS << 6;
+    packed = (packed | (green + green_slope * x) >> FC_TINT_BITS) << 5;
+    packed |= (blue + blue_slope * x) >> FC_TINT_BITS;
+    to[0] = (uint8_t)(packed >> 8);
+    to[1] = (uint8_t)packed;
   }
+}
+
+/* The same for any light and format. */
+static FC_NOINLINE void shade_any(const ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to,
+                                  uint8_t pixel_bytes) {
+  const uint32_t whole = (UINT32_C(1) << 24) - (uint32_t)light->h;
+  for (; bits != 0; bits >>= 1, to += pixel_bytes, p++)
+    if (bits & 1)
+      fc_tint_put(tint, cosine_of(*p > whole ? whole : *p, (uint32_t)light->sum, (uint32_t)light->h >> 9, (uint32_t)light->h >> 8),
+                  to);
 }
 
 /* Lights the pixels of a row in `bits`, given p of each and in `e` a copy that is used up. */
@@ -392,7 +465,10 @@ static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row
   if (dark != 0) fc_scan_unlit(scan, row, column, dark);
   bits &= ~(dark | open);
   fc_scan_lit(scan, row, column, bits);
-  shade_row(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column), scan->pixel_bytes);
+  if (scan->tint.plain && light->curve[0] != 0)
+    shade_curve(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column));
+  else
+    shade_any(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column), scan->pixel_bytes);
 }
 
 /* The same among occluders, who are asked about the points. */
@@ -423,21 +499,24 @@ typedef struct sphere_forms {
   bool clip;
 } sphere_forms;
 
+/* Takes pixels beyond the far limit out of a run; returns those that it may cut. */
+static FC_COLD uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t row, uint16_t column, const uint32_t *ps,
+                         uint32_t *p, const uint32_t *end) {
+  uint32_t open = 0;
+  for (; p != end; p++) {
+    int8_t within = 0;
+    if (ball->drop >= 0 && ball->drop < 32)
+      within = fc_scan_far(scan, row, (uint16_t)(column + (p - ps)), *p >> ball->drop, ball->error + 1);
+    if (within == 0) open |= UINT32_C(1) << (p - ps);
+    if (within <= 0) *p = 0;
+  }
+  return open;
+}
+
 /* Pixels that the forms leave to the ray engine. */
 static FC_COLD void draw_open(const fc_scan *scan, uint16_t row, uint16_t first, uint16_t end) {
   for (; first < end; first++)
     if (fc_scan_exact(scan, row, first) && fc_scan_wants_light(scan, row, first, 1)) fc_scan_shade_slowly(scan, row, first, 1);
-}
-
-/* Takes pixels beyond the far limit out of a run. */
-static FC_COLD void clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t row, uint16_t column, uint32_t *p,
-                             uint8_t count) {
-  for (; count != 0; p++, column++, count--) {
-    int8_t within = 0;
-    if (ball->drop >= 0 && ball->drop < 32) within = fc_scan_far(scan, row, column, *p >> ball->drop, ball->error + 1);
-    if (within == 0) draw_open(scan, row, column, (uint16_t)(column + 1));
-    if (within <= 0) *p = 0;
-  }
 }
 
 /* A row's pixels: surely inside from `from` to `to`, left to the ray engine from `first` to `end` around them. */
@@ -445,6 +524,47 @@ typedef struct sphere_row {
   uint64_t f, dx, b; /* at `from`, and then where root_run stands; wrap past the tile */
   uint16_t first, from, to, end;
 } sphere_row;
+
+/*
+ * The pixels among `bits` of a word, whose forms stand in *at, that show the sphere, where 32 bits could not tell: by all bits of the
+ * forms, and where these leave it open by the ray engine. *rough: those of them that have no p.
+ */
+static FC_COLD uint32_t settle(const fc_scan *scan, const sphere_forms *ball, const sphere_row *at, fc_coder *coder, uint16_t row,
+                               uint16_t column, uint32_t bits, uint32_t *ps, uint32_t *rough) {
+  uint32_t shown = 0, bit = 1;
+  uint8_t n;
+  for (n = 0; bits != 0; n++, bits >>= 1, bit <<= 1) {
+    uint64_t f;
+    uint16_t *depth = fc_scan_depth(scan, row, (uint16_t)(column + n));
+    int32_t code = -1;
+    bool good = false;
+    if (!(bits & 1)) continue;
+    f = at->f + fc_times(at->dx, n);
+    if (n > 1) f += fc_times((uint64_t)ball->cone.dxx, (uint16_t)(n * (n - 1) / 2));
+    if (fc_to_i64(f) > ball->cone.error && !ball->clip) {
+      /* sqrt(f) is off by e / (2 sqrt(f)) at most; floors of the root and of b, and the factors' cuts, 4 (set_ball) */
+      uint32_t root = fc_sqrt64(f << ball->lift), p, error;
+      uint64_t loss = ((uint64_t)ball->cone.error << (ball->lift - ball->half_lift)) >> (31 - fc_clz32(root)); /* 34 + 30 bits */
+      p = (uint32_t)((at->b + fc_times((uint64_t)ball->b_dx, n)) >> 32) + (root >> ball->half_lift);
+      if (loss < UINT32_C(1) << 24 && p != 0) {
+        error = (uint32_t)loss + 8;
+        fc_coder_follow(coder, scan->frame, p);
+        code = fc_coder_code(coder, p, error);
+        good = error <= ball->error;
+        ps[n] = p;
+      }
+    }
+    if (code >= 0 && code != *depth) {
+      if (code < *depth) continue;
+      *depth = (uint16_t)code;
+    } else if (!fc_scan_exact(scan, row, (uint16_t)(column + n))) {
+      continue;
+    }
+    shown |= bit;
+    if (!good) *rough |= bit;
+  }
+  return shown;
+}
 
 /* Passes over pixels until one is surely inside, f and dx going along; returns those passed, and in *first those before one
  * that may show the sphere. */
@@ -530,45 +650,75 @@ static FC_NOINLINE void root_run(const sphere_forms *ball, sphere_row *at, uint3
   }
 }
 
-/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. */
-static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t column, const uint32_t *p, uint8_t count,
-                                     uint32_t error, fc_coder *coder) {
-  uint16_t *depth = fc_scan_depth(scan, row, column);
-  const uint32_t *end = p + count;
-  uint32_t bits = 0, bit = 1, low = 0, span = 0, add = 0, base = 0, open = 0, low_bits = 0;
-  uint8_t shift = 0;
+/* Depth codes of an octave, for test_octave. */
+typedef struct octave {
+  uint32_t low, span, add, base, low_bits, open; /* p in low .. low + span - 1 */
+  uint8_t shift;
+} octave;
+
+/* Depth tests from `p` on until one leaves the octave, or `end`: adds those shown, and in *open those that it can't tell. */
+static FC_NOINLINE const uint32_t *test_octave(const octave *of, const uint32_t *p, const uint32_t *end, uint16_t *depth,
+                                               uint32_t bit, uint32_t *shown, uint32_t *open) {
+  const uint32_t low = of->low, span = of->span, add = of->add, base = of->base, low_bits = of->low_bits, may = of->open;
+  const uint8_t shift = of->shift;
+  uint32_t bits = 0, undecided = 0;
   do {
-    uint32_t v = *p++, up, code, there;
-    if (v - low >= span) {
-      if (v == 0) goto next;
-      fc_coder_follow(coder, scan->frame, v);
-      low = coder->low;
-      shift = coder->shift;
-      low_bits = coder->low_bits;
-      add = coder->half + error;
-      base = (uint32_t)coder->base;
-      open = fc_coder_open(coder, error);
-      /* codes of 1 and below, 2^16 and above, and values below the last octave are the ray engine's */
-      span = coder->base < 1 || add >= low || base + (low >> shift) + (low >> shift) > UINT32_C(65536)   ? 0
-             : base + (low >> shift) + (low >> shift) == UINT32_C(65536) ? low - add
-                                                                         : low;
-      if (v - low >= span) goto ask;
-    }
-    up = v + add;
-    code = (up >> shift) + base;
+    uint32_t v = *p, code, there;
+    if (v - low >= span) break;
+    v += add;
     there = *depth;
-    if ((up & low_bits) <= open || code == there) {
-    ask:
-      if (fc_scan_exact(scan, row, (uint16_t)(column + count - 1 - (end - p)))) bits |= bit;
+    code = (v >> shift) + base;
+    if ((v & low_bits) <= may || code == there) {
+      undecided |= bit;
     } else if (code > there) {
       *depth = (uint16_t)code;
       bits |= bit;
     }
-  next:
-    bit <<= 1;
     depth++;
-  } while (p != end);
-  return bits;
+    bit <<= 1;
+  } while (++p != end);
+  *shown |= bits;
+  *open |= undecided;
+  return p;
+}
+
+/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. Returns those shown. */
+static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t column, const uint32_t *first, const uint32_t *end,
+                                     uint32_t error, fc_coder *coder, uint32_t *undecided) {
+  uint16_t *depth = fc_scan_depth(scan, row, column);
+  const uint32_t *p = first;
+  uint32_t shown = 0, open = 0;
+  while (p != end) {
+    const uint32_t bit = UINT32_C(1) << (p - first);
+    const uint32_t *from = p;
+    octave of;
+    if (*p == 0) {
+      p++;
+      continue;
+    }
+    fc_coder_follow(coder, scan->frame, *p);
+    of.low = coder->low;
+    of.add = coder->half + error;
+    of.base = (uint32_t)coder->base;
+    of.low_bits = coder->low_bits;
+    of.open = fc_coder_open(coder, error);
+    of.shift = coder->shift;
+    /* codes of 1 and below, and beyond 16 bits, are out of the format's range: the ray engine's */
+    of.span = coder->base + (int32_t)(of.low >> of.shift) < 2 ? 0 : of.low;
+    if (coder->base > UINT16_MAX) {
+      of.span = 0;
+    } else if (coder->base + (int32_t)((2 * of.low - 1 + of.add) >> of.shift) > UINT16_MAX) {
+      uint32_t end_of_codes = (uint32_t)(UINT16_MAX + 1 - coder->base) << of.shift; /* within the octave: below 2^32 */
+      of.span = end_of_codes > of.low + of.add ? end_of_codes - of.low - of.add : 0;
+    }
+    p = test_octave(&of, p, end, depth + (p - first), bit, &shown, &open);
+    if (p == from) {
+      open |= bit;
+      p++;
+    }
+  }
+  *undecided = open;
+  return shown;
 }
 
 /* 2 floor(a b / 2^32) */
@@ -708,12 +858,20 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
     if (at.first != at.from) draw_open(scan, row, at.first, at.from);
     if (at.to != at.end) draw_open(scan, row, at.to, at.end);
     for (column = at.from; column < at.to; column = (uint16_t)(column + 32)) {
-      uint32_t ps[32], bits;
+      const sphere_row start = at;
+      uint32_t ps[32], bits, open, undecided, rough = 0;
       uint8_t count = at.to - column < 32 ? (uint8_t)(at.to - column) : 32;
       root_run(&ball, &at, ps, count);
-      if (ball.clip) clip_run(scan, &ball, row, column, ps, count);
-      bits = test_run(scan, row, column, ps, count, ball.error, &coder);
-      if (bits == 0 || !fc_scan_wants_light(scan, row, column, bits)) continue;
+      open = ball.clip ? clip_run(scan, &ball, row, column, ps, ps, ps + count) : 0;
+      bits = test_run(scan, row, column, ps, ps + count, ball.error, &coder, &undecided);
+      open |= undecided;
+      if (open != 0) {
+        bits |= settle(scan, &ball, &start, &coder, row, column, open, ps, &rough);
+        bits &= ~rough;
+      }
+      if ((bits | rough) == 0 || !fc_scan_wants_light(scan, row, column, bits | rough)) continue;
+      if (rough != 0) fc_scan_shade_slowly(scan, row, column, rough);
+      if (bits == 0) continue;
       if (how == LIGHT_UNKNOWN) {
         how = set_light(scan, &light, ball.drop, ball.error);
         if (how == LIGHT_FORMS) find_occluders(scan, &light);
