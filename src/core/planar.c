@@ -125,13 +125,14 @@ FC_COLD bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver
   return true;
 }
 
-/* Where the ray through a pixel of the tile meets the plane (its normal is not cut); false when it doesn't, or too far away. */
-static bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
+/* Where the ray through a pixel of the tile meets the plane, or the one of its cut normal; false when it does not, or too far away. */
+static FC_COLD bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
   static const int64_t eye[3] = {0, 0, 0};
   int64_t d[3], nd;
   fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
   nd = fc_small_dot(planar->normal, d);
+  if (planar->slack != 0 && nd >> 50 == 0) return false;
   return nd > 0 && fc_point_at(fc_num_div(k, fc_num_from_u64((uint64_t)nd, 0)), eye, d, point);
 }
 
@@ -174,7 +175,7 @@ static FC_COLD bool cast_one(void *context, const fc_cursor *at, uint16_t index)
 }
 
 /* First and last pixel of a row's mask; false when it is empty. */
-static bool row_ends(const fc_scan *scan, uint16_t row, uint16_t ends[2]) {
+static FC_COLD bool row_ends(const fc_scan *scan, uint16_t row, uint16_t ends[2]) {
   const uint32_t *mask = scan->mask + row * scan->words;
   uint16_t first = 0, last = (uint16_t)(32 * scan->words - 1);
   while (first < last && mask[first / 32] == 0) first = (uint16_t)(first + 32);
@@ -187,24 +188,45 @@ static bool row_ends(const fc_scan *scan, uint16_t row, uint16_t ends[2]) {
   return true;
 }
 
+/* Tiles of fewer pixels are taken as they are. */
+#define SMALL_TILE 64
+
+/* The rectangle that a tile's mask shows; false when it is empty. */
+static FC_COLD bool find_rectangle(const fc_scan *scan, fc_planar *planar) {
+  uint16_t row, ends[2];
+  bool any = false;
+  if (scan->columns * scan->rows < SMALL_TILE) {
+    planar->left = 0;
+    planar->right = (uint16_t)(scan->columns - 1);
+    planar->top = scan->first_row;
+    planar->bottom = scan->last_row;
+    return true;
+  }
+  for (row = scan->first_row; row <= scan->last_row; row++) {
+    if (!row_ends(scan, row, ends)) continue;
+    if (!any) {
+      planar->top = row;
+      planar->left = ends[0];
+      planar->right = ends[1];
+      any = true;
+    }
+    planar->bottom = row;
+    if (ends[0] < planar->left) planar->left = ends[0];
+    if (ends[1] > planar->right) planar->right = ends[1];
+  }
+  return any;
+}
+
 /* Corners around the points of the plane that a tile's mask shows: those of the mask's rectangle; where they lie beyond the
  * horizon, the ends of its rows. Lines of pixels are lines on the plane, so hulls are hulls. Returns their number, 0 where
  * they are too far away. */
 static FC_COLD uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, int64_t points[6 * FC_SCAN_ROWS]) {
-  uint16_t row, ends[2], left = UINT16_MAX, right = 0, top = 0, bottom = 0;
+  uint16_t row, ends[2];
   uint8_t count = 0, i;
-  for (row = 0; row < scan->rows; row++) {
-    if (!row_ends(scan, row, ends)) continue;
-    if (left == UINT16_MAX) top = row;
-    bottom = row;
-    if (ends[0] < left) left = ends[0];
-    if (ends[1] > right) right = ends[1];
-  }
-  if (left == UINT16_MAX) return 0;
   for (i = 0; i < 4; i++)
-    if (!foot(scan, planar, i & 1 ? top : bottom, i & 2 ? left : right, points + 3 * i)) break;
+    if (!foot(scan, planar, i & 1 ? planar->top : planar->bottom, i & 2 ? planar->left : planar->right, points + 3 * i)) break;
   if (i == 4) return 4;
-  for (row = top; row <= bottom; row++) {
+  for (row = planar->top; row <= planar->bottom; row++) {
     if (!row_ends(scan, row, ends)) continue;
     for (i = 0; i < 2; i++, count++)
       if (!foot(scan, planar, row, ends[i], points + 3 * count)) return 0;
@@ -213,7 +235,7 @@ static FC_COLD uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, i
 }
 
 /* Hands those who may stand between the light and the hull to cast_one. */
-static FC_COLD void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners) {
+static FC_COLD void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners, int64_t radius) {
   fc_space space = fc_space_of_frame(scan->frame);
   caster c;
   fc_reach reach;
@@ -222,34 +244,59 @@ static FC_COLD void cast_from(fc_scan *scan, const fc_planar *planar, const int6
   reach.from = scan->frame->lights;
   reach.to = hull;
   reach.corners = corners;
-  reach.radius = 1; /* corners are rounded */
+  reach.radius = radius;
   reach.limited = false;
   (void)fc_space_search(&space, corners > 0 ? &reach : NULL, cast_one, &c);
 }
 
 static FC_COLD void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
   int64_t points[6 * FC_SCAN_ROWS];
-  cast_from(scan, planar, points, find_hull(scan, planar, points));
+  cast_from(scan, planar, points, find_hull(scan, planar, points), 1); /* corners are rounded */
 }
 
-static void set_corners(const fc_scan *scan, fc_planar *planar) {
+/*
+ * The same for a polygon that is much larger than what the tile shows of it: the corners of the rectangle. When the normal is cut, k is
+ * off by `slack` <= 2^33 and n.D by 3 * 2^30: with both at least 2^50, points move by less than 2^-16 of themselves. False when
+ * that does not hold.
+ */
+static FC_COLD bool cast_from_part(fc_scan *scan, const fc_planar *planar) {
+  int64_t points[12], radius = 1;
+  uint8_t i, bits = 0;
+  if (planar->slack != 0 && planar->k >> 50 == 0) return false;
+  for (i = 0; i < 4; i++) {
+    uint8_t b;
+    if (!foot(scan, planar, i & 1 ? planar->top : planar->bottom, i & 2 ? planar->left : planar->right, points + 3 * i)) return false;
+    b = fc_vector_bits(points + 3 * i);
+    if (b > bits) bits = b;
+  }
+  if (bits > 30) return false;
+  if (planar->slack != 0) radius += INT64_C(1) << (bits > 16 ? bits - 16 : 0);
+  cast_from(scan, planar, points, 4, radius);
+  return true;
+}
+
+static FC_COLD void set_corners(fc_planar *planar) {
+  const uint16_t columns = (uint16_t)(planar->right - planar->left), rows = (uint16_t)(planar->bottom - planar->top);
   uint8_t i, j;
-  for (i = 0; i < 4; i++)
-    for (j = 0; j < 3; j++) {
-      int32_t w = planar->w.at[j];
-      if (i & 1) w += planar->w.dx[j] * (scan->columns - 1);
-      if (i & 2) w += planar->w.dy[j] * (scan->rows - 1);
-      planar->corner[i][j] = (int16_t)fc_floor_shift32(w, 16);
-    }
+  for (j = 0; j < 3; j++) {
+    const int32_t w = planar->w.at[j] + planar->w.dx[j] * planar->left + planar->w.dy[j] * planar->top;
+    const int32_t right = planar->w.dx[j] * columns, down = planar->w.dy[j] * rows;
+    for (i = 0; i < 4; i++)
+      planar->corner[i][j] = (int16_t)fc_floor_shift32(w + (i & 1 ? right : 0) + (i & 2 ? down : 0) + 0x8000, 16);
+  }
+  planar->per_column = columns > 0 ? UINT32_MAX / columns : 0;
+  planar->per_row = rows > 0 ? UINT32_MAX / rows : 0;
 }
 
 /* Candidates for occluders, each asked to darken what it can. */
 static void cast_shadows(fc_scan *scan, fc_planar *planar, const int64_t *hull, uint8_t corners) {
-  set_corners(scan, planar);
-  if (corners == 0 && scan->frame->scene.bvh != NULL)
+  const bool sieve = scan->frame->scene.bvh != NULL;
+  if (!find_rectangle(scan, planar)) return;
+  set_corners(planar);
+  if (corners == 0 && sieve)
     cast_from_tile(scan, planar);
-  else
-    cast_from(scan, planar, hull, corners);
+  else if (!sieve || scan->columns * scan->rows < SMALL_TILE || !cast_from_part(scan, planar))
+    cast_from(scan, planar, hull, corners, 1);
 }
 
 /* What cosines need of a row: W.W / 2^30 and its differences, and the numerator. */
@@ -334,40 +381,58 @@ static FC_HOT void shade_run(const fc_tint *restrict tint, cosine_row *restrict 
  * (|dW| / |W|)^2 cos a sqrt(cos^2 a + 4 sin^2 a) a column, at most 1.16 (|dW| / |W|)^2. A chord over m columns is off by at most
  * m^2 / 8 of that: 2^-8, a quarter of a level in 63, when |W| >= 6.1 m |dW| at its least; ddq is twice |dW|^2.
  */
+typedef struct chord_ends {
+  uint32_t rb; /* red and blue, 5.11 bits each */
+  uint32_t g;
+} chord_ends;
+
+static inline chord_ends levels_at(const fc_tint *tint, uint32_t c) {
+  chord_ends l;
+  l.rb = ((tint->base[0] + tint->slope[0] * c) << (27 - FC_TINT_BITS) & UINT32_C(0xffff0000)) |
+         (tint->base[2] + tint->slope[2] * c) >> (FC_TINT_BITS - 11);
+  l.g = tint->base[1] + tint->slope[1] * c;
+  return l;
+}
+
+static inline void put_levels(uint32_t rb, uint32_t g, uint8_t *to) {
+  uint32_t packed = ((rb >> 27 << 6 | g >> FC_TINT_BITS) << 5) | rb << 16 >> 27;
+  to[0] = (uint8_t)(packed >> 8);
+  to[1] = (uint8_t)packed;
+}
+
+/* Red and blue are cut to 2^-11 at a chord's ends and so are their steps, downwards: at most 17 2^-11 of a level off in all, and
+ * never above both ends; never below 0, as the rounding half is in them. */
 static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
-                                     uint32_t bits, uint8_t *restrict to, uint8_t s) {
+                                uint32_t bits, uint8_t *restrict to, uint8_t s) {
   /* s steps at once: q by m dq + m (m - 1) / 2 ddq */
   const uint32_t q_bend = (r->ddq << (2 * s - 1)) - (r->ddq << (s - 1)), chunk = (UINT32_C(1) << (1 << s)) - 1;
-  uint32_t level[3], c = cosine_of(r->q, r->g);
-  level[0] = tint->base[0] + tint->slope[0] * c;
-  level[1] = tint->base[1] + tint->slope[1] * c;
-  level[2] = tint->base[2] + tint->slope[2] * c;
+  chord_ends end = levels_at(tint, cosine_of(r->q, r->g));
   while (count != 0) {
-    uint32_t red = level[0], green = level[1], blue = level[2], d_red, d_green, d_blue, some = bits & chunk;
+    uint32_t rb = end.rb, g = end.g, d_rb, d_g, some = bits & chunk;
     uint8_t *at = to;
+    to += 2 << s;
     r->q += (r->dq << s) + q_bend;
     r->dq += r->ddq << s;
     r->g += dg * (INT32_C(1) << s);
-    c = cosine_of(r->q, r->g);
-    level[0] = tint->base[0] + tint->slope[0] * c;
-    level[1] = tint->base[1] + tint->slope[1] * c;
-    level[2] = tint->base[2] + tint->slope[2] * c;
-    /* differences of levels below 2^29 */
-    d_red = (uint32_t)fc_floor_shift32(fc_to_i32(level[0] - red), s);
-    d_green = (uint32_t)fc_floor_shift32(fc_to_i32(level[1] - green), s);
-    d_blue = (uint32_t)fc_floor_shift32(fc_to_i32(level[2] - blue), s);
-    for (; some != 0; some >>= 1) {
-      if (some & 1) {
-        uint32_t packed = (((red >> FC_TINT_BITS) << 6 | green >> FC_TINT_BITS) << 5) | blue >> FC_TINT_BITS;
-        at[0] = (uint8_t)(packed >> 8);
-        at[1] = (uint8_t)packed;
+    end = levels_at(tint, cosine_of(r->q, r->g));
+    /* differences of levels below 2^29 and 2^16 */
+    d_g = (uint32_t)fc_floor_shift32(fc_to_i32(end.g - g), s);
+    d_rb = ((uint32_t)fc_floor_shift32((int32_t)(end.rb >> 16) - (int32_t)(rb >> 16), s) << 16) +
+           (uint32_t)fc_floor_shift32((int32_t)(end.rb & 0xffffu) - (int32_t)(rb & 0xffffu), s);
+    if (some == chunk) {
+      do {
+        put_levels(rb, g, at);
+        at += 2;
+        rb += d_rb;
+        g += d_g;
+      } while (at != to);
+    } else {
+      for (; some != 0; some >>= 1, at += 2) {
+        if (some & 1) put_levels(rb, g, at);
+        rb += d_rb;
+        g += d_g;
       }
-      at += 2;
-      red += d_red;
-      green += d_green;
-      blue += d_blue;
     }
-    to += 2 << s;
     bits >>= 1 << s;
     count = (uint8_t)(count <= 1 << s ? 0 : count - (1 << s));
   }
@@ -387,10 +452,10 @@ static uint32_t least_square(const cosine_row *r, uint8_t n) {
   return drop < r->q ? r->q - (uint32_t)drop : 0;
 }
 
-/* The longest chords that are good enough for q from `least` on: 2^s pixels; 0: none. 6.1^2 m^2 / 2 = 1191, 298, 75. */
+/* The longest chords that are good enough for q from `least` on: 2^s pixels; 0: none. 6.1^2 m^2 / 2 = 4764, 1191, 298, 75. */
 static uint8_t chord_of(uint32_t least, uint32_t ddq) {
   uint32_t q = least >> 8;
-  return q >> 2 >= ddq + (ddq >> 2) ? 3 : q >> 1 >= ddq ? 2 : q >= ddq ? 1 : 0;
+  return q >> 4 >= ddq + (ddq >> 2) ? 4 : q >> 2 >= ddq + (ddq >> 2) ? 3 : q >> 1 >= ddq ? 2 : q >= ddq ? 1 : 0;
 }
 
 static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
@@ -407,18 +472,14 @@ static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word];
       uint16_t at = column;
-      uint8_t count = 32, chord;
+      uint8_t count, chord;
       uint32_t least = 0;
       if (bits == 0) continue;
       while (!(bits & 1)) {
         bits >>= 1;
         at++;
-        count--;
       }
-      if (bits >> (count - 1) == 0) { /* what lies behind the last is not needed */
-        count = 0;
-        while (bits >> count != 0) count++;
-      }
+      count = (uint8_t)(32 - fc_clz32(bits)); /* what lies behind the last is not needed */
       /* q is within 2^14, which costs the cosine 2^-11 of itself from 2^24 on; where the forms were just set up it is within
        * 2^10, and 2^20 is enough. A chord's end may lie 15 columns further. */
       if (at == next && word % 4 != 0) least = least_square(&forms, (uint8_t)(count + 14));
@@ -433,7 +494,7 @@ static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g
       }
       fc_scan_lit(scan, row, at, bits);
       chord = scan->tint.plain ? chord_of(least, forms.ddq) : 0;
-      if (chord != 0) chord = (uint8_t)(chord + fast);
+      if (chord != 0 && chord < 4) chord = (uint8_t)(chord + fast);
       if (chord != 0) {
         shade_chords(&scan->tint, &forms, g->dx, count, bits, fc_scan_pixel(scan, row, at), chord);
         next = count % (1 << chord) == 0 ? (uint16_t)(at + count) : UINT16_MAX;

@@ -132,16 +132,14 @@ static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
   return light != 0 && fc_side_of_point(segment, form->u.plane.normal, fc_i128_from(form->u.plane.k)) == light;
 }
 
-static FC_COLD bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
-  return fc_sign64(prepared->u.plane.side) * side(form, segment->light) < 0;
+static FC_COLD bool facing(const fc_form *form, const fc_segment *segment) {
+  return side(form, fc_eye) * side(form, segment->light) > 0;
 }
 
-static FC_COLD bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
+static FC_COLD void normal(const fc_form *form, const int64_t point[3], int64_t n[3]) {
+  uint8_t i;
   (void)point;
-  n[0] = form->u.plane.normal[0];
-  n[1] = form->u.plane.normal[1];
-  n[2] = form->u.plane.normal[2];
-  return prepared->u.plane.side > 0; /* k - n.O > 0: the origin is behind */
+  for (i = 0; i < 3; i++) n[i] = form->u.plane.normal[i];
 }
 
 /* |k| F / along, which is z; within 2^-24. */

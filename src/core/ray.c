@@ -42,16 +42,17 @@ typedef struct nearest_test {
   bool bounded;
 } nearest_test;
 
-static bool nearer(void *context, const fc_cursor *at, uint16_t index) {
+static FC_COLD uint8_t meet(const fc_cursor *at, uint16_t index, const nearest_test *test, fc_root *root) {
+  fc_form form;
+  fc_kind_of(at)->fetch(&at->group, index, &form);
+  return fc_form_meet(fc_kind_of(at), &form, test->origin, test->direction, root);
+}
+
+static FC_COLD bool nearer(void *context, const fc_cursor *at, uint16_t index) {
   nearest_test *test = context;
   uint16_t primitive = (uint16_t)(at->group.first + index);
-  fc_form form;
-  fc_prepared prepared;
   fc_root first;
-  uint8_t count;
-  fc_kind_of(at)->fetch(&at->group, index, &form);
-  fc_kind_of(at)->prepare(&form, test->origin, &prepared);
-  count = fc_kind_of(at)->test(&prepared, test->direction, &first);
+  uint8_t count = meet(at, index, test, &first);
   if (count == 0) return false;
   if (test->bounded && !first_within(&first, count, test->t_min_q32, test->t_max_q32)) return false;
   if (test->found != NO_PRIMITIVE) {
@@ -95,7 +96,7 @@ FC_COLD void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
   int32_t unit[3];
   uint8_t i;
   (void)fc_point_at(t, surface->origin, surface->direction, point);
-  (void)fc_kind_of(&surface->at)->normal(&surface->form, &surface->prepared, point, n);
+  fc_kind_of(&surface->at)->normal(&surface->form, point, n);
   length = fc_length(n);
   for (i = 0; i < 3; i++) {
     int32_t q = 0;
@@ -110,8 +111,11 @@ FC_COLD void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
   hit->position.x = coordinate_at(t, surface->origin[0], surface->direction[0]);
   hit->position.y = coordinate_at(t, surface->origin[1], surface->direction[1]);
   hit->position.z = coordinate_at(t, surface->origin[2], surface->direction[2]);
-  if (fc_kind_of(&surface->at)->weights != NULL)
-    fc_kind_of(&surface->at)->weights(&surface->prepared, surface->direction, hit->barycentric_q30);
+  if (fc_kind_of(&surface->at)->weights != NULL) {
+    fc_prepared prepared;
+    fc_kind_of(&surface->at)->prepare(&surface->form, surface->origin, &prepared);
+    fc_kind_of(&surface->at)->weights(&prepared, surface->direction, hit->barycentric_q30);
+  }
   hit->primitive = surface->primitive;
   hit->object = surface->form.object;
   hit->inside = surface->inside;

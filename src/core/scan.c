@@ -9,30 +9,26 @@
 #include "shade.h"
 #include "tally.h"
 
-static const int64_t eye[3] = {0, 0, 0}; /* camera space */
-
 /* ---- one pixel, by the ray engine ---- */
 
 /* Meets the primitive with the pixel's ray. */
-static bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_prepared *prepared, fc_root *root) {
+static FC_COLD bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_root *root) {
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
-  fc_kind_of(scan->at)->prepare(scan->form, eye, prepared);
-  return fc_kind_of(scan->at)->test(prepared, d, root) != 0;
+  return fc_form_meet(fc_kind_of(scan->at), scan->form, fc_eye, d, root) != 0;
 }
 
 FC_COLD bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
-  fc_prepared prepared;
   fc_root root;
   int64_t d[3];
   uint16_t code, *depth = fc_scan_depth(scan, row, column);
   FC_TALLY(FC_DECIDE_PIXEL, true);
-  if (!meet(scan, row, column, d, &prepared, &root) || fc_too_far(scan->frame, &root, d)) return false;
+  if (!meet(scan, row, column, d, &root) || fc_too_far(scan->frame, &root, d)) return false;
   code = fc_depth_code(scan->frame, &root);
   if (code < *depth) return false;
   if (code == *depth) {
     /* whatever is drawn there, or will be: the pixel goes to the nearest of all */
     fc_space space = fc_space_of_frame(scan->frame);
-    if (fc_space_nearest(&space, eye, d, 0, UINT64_MAX, NULL) != scan->primitive) return false;
+    if (fc_space_nearest(&space, fc_eye, d, 0, UINT64_MAX, NULL) != scan->primitive) return false;
   }
   *depth = code;
   return true;
@@ -52,9 +48,9 @@ static FC_COLD void surface_at(const fc_scan *scan, uint16_t row, uint16_t colum
   surface->at = *scan->at;
   surface->form = *scan->form;
   surface->primitive = scan->primitive;
-  surface->origin = eye;
+  surface->origin = fc_eye;
   surface->direction = d;
-  (void)meet(scan, row, column, d, &surface->prepared, &surface->root);
+  (void)meet(scan, row, column, d, &surface->root);
   fc_surface_complete(surface);
 }
 
@@ -68,12 +64,12 @@ FC_COLD bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column)
 }
 
 FC_COLD bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const fc_kind *kind, const fc_form *occluder) {
-  fc_surface surface;
   fc_segment segment;
+  fc_root root;
   int64_t d[3];
   FC_TALLY(FC_DECIDE_LIT, true);
-  surface_at(scan, row, column, d, &surface);
-  fc_surface_segment(&surface, scan->frame->lights, &segment);
+  (void)meet(scan, row, column, d, &root);
+  fc_segment_from(&segment, &root, d, scan->frame->lights);
   return kind->blocked(occluder, &segment);
 }
 
@@ -92,7 +88,7 @@ FC_COLD int8_t fc_scan_far(const fc_scan *scan, uint16_t row, uint16_t column, u
   limit >>= s;
   {
     /* relative errors below 2^-27 in all, the square cut by 1, and 2 p error + error^2 from p */
-    uint64_t slack = (limit >> 26) + ((uint64_t)frame->far_scale >> s) + (((uint64_t)2 * p + error) * error >> 8) + 4;
+    uint64_t slack = (limit >> 22) + ((uint64_t)frame->far_scale >> s) + (((uint64_t)2 * p + error) * error >> 8) + 4;
     if (have > limit + slack) return 1;
     if (have + slack < limit) return -1;
   }
@@ -151,21 +147,25 @@ static FC_COLD bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t col
 /* Up to 32 pixels in one octave and within the far limit, as depth codes with 16 fraction bits, half and open / 2 added;
  * returns those shown: 1 is the first. */
 static FC_HOT uint32_t affine_codes(const fc_scan *scan, uint16_t row, uint16_t column, uint8_t count, uint32_t at,
-                                         uint32_t step, uint32_t open) {
-  uint16_t *depth = fc_scan_depth(scan, row, column), *end = depth + count;
-  uint32_t bits = 0, bit = 1;
+                                    uint32_t step, uint32_t open) {
+  uint16_t *const first = fc_scan_depth(scan, row, column), *depth = first;
+  const uint8_t spare = (uint8_t)(32 - count);
+  /* the last pixel's is the highest bit, so that the loop ends when the bit is shifted out */
+  uint32_t bits = 0, bit = UINT32_C(1) << spare;
+  open <<= 16;
   do {
-    uint32_t code = at >> 16, there = *depth;
-    if ((at & 0xffffu) <= open || code == there) {
-      if (fc_scan_exact(scan, row, (uint16_t)(column + count - (end - depth)))) bits |= bit;
-    } else if (code > there) {
+    uint32_t code = at >> 16;
+    if (at << 16 > open && code > *depth) {
       *depth = (uint16_t)code;
       bits |= bit;
+    } else if (at << 16 <= open || code == *depth) {
+      if (fc_scan_exact(scan, row, (uint16_t)(column + (depth - first)))) bits |= bit;
     }
     at += step;
+    depth++;
     bit <<= 1;
-  } while (++depth != end);
-  return bits;
+  } while (bit != 0);
+  return bits >> spare;
 }
 
 /* Depth codes of pixels in one octave, with 16 fraction bits, half and open / 2 added, and the step between them. */

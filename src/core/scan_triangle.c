@@ -34,7 +34,7 @@ static void set_tint(fc_brush *brush) {
 }
 
 
-static void fetch(fc_brush *brush) {
+static FC_COLD void fetch(fc_brush *brush) {
   if (brush->fetched) return;
   fc_triangle_fetch(&brush->scan->at->group, brush->scan->index, &brush->form);
   brush->fetched = true;
@@ -49,7 +49,7 @@ static void show(fc_brush *brush, uint16_t row, uint16_t column) {
 }
 
 /* A pixel that only the ray engine decides. */
-static void ask(fc_brush *brush, uint16_t row, uint16_t column) {
+static FC_COLD void ask(fc_brush *brush, uint16_t row, uint16_t column) {
   fetch(brush);
   if (fc_scan_exact(brush->scan, row, column)) show(brush, row, column);
 }
@@ -97,7 +97,7 @@ static FC_NOINLINE void careful_pixel(fc_brush *brush, uint16_t row, uint16_t co
 }
 
 /* Asks for the pixel whose depth this is. */
-static void ask_at(fc_brush *brush, const uint16_t *depth) {
+static FC_COLD void ask_at(fc_brush *brush, const uint16_t *depth) {
   uint32_t offset = (uint32_t)(depth - fc_scan_depth(brush->scan, 0, 0)), width = brush->scan->frame->width;
   uint16_t row = 0;
   for (; offset >= width; offset -= width) row++;
@@ -284,7 +284,7 @@ static inline void flank_down(fc_flank *flank) {
 }
 
 /* Asks for the pixels of a row that are not inside for certain; the others are *first .. *last. */
-static FC_NOINLINE void ask_ends(fc_brush *brush, const fc_ends *ends, int32_t certain, uint16_t row, int32_t *first, int32_t *last) {
+static FC_COLD void ask_ends(fc_brush *brush, const fc_ends *ends, int32_t certain, uint16_t row, int32_t *first, int32_t *last) {
   int32_t a = ends->left.a - certain, b = ends->left.b - certain;
   for (; *first <= *last && (a | b) < 0; a += ends->left.ax, b += ends->left.bx) ask(brush, row, (uint16_t)(*first)++);
   a = ends->right.a - certain;
@@ -446,7 +446,7 @@ static FC_NOINLINE bool walk_small_rows(fc_brush *brush, const fc_placed_mesh *m
 }
 
 /* Rows of any triangle: each end by bisection. */
-static FC_NOINLINE void cut_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
+static FC_COLD void cut_rows(fc_brush *brush, uint16_t columns, uint16_t rows) {
   const fc_facet *facet = &brush->facet;
   int32_t at[3];
   uint64_t p = facet->p;
@@ -588,7 +588,7 @@ static FC_NOINLINE bool draw_projected(fc_brush *brush, const fc_placed_mesh *me
   return true;
 }
 
-static FC_NOINLINE void draw_exactly(fc_brush *brush, const fc_tile *seen) {
+static FC_COLD void draw_exactly(fc_brush *brush, const fc_tile *seen) {
   const int64_t eye[3] = {0, 0, 0};
   fc_prepared prepared;
   int32_t x, y;
@@ -727,7 +727,7 @@ bool fc_triangle_between(const fc_frame *frame, const fc_form *form, const int64
   return true;
 }
 
-bool fc_triangle_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box) {
+FC_COLD bool fc_triangle_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box) {
   fc_form form;
   uint8_t i, behind = 0;
   fc_triangle_fetch(group, index, &form);

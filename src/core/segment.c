@@ -32,8 +32,21 @@ FC_COLD bool fc_point_at(fc_num t, const int64_t origin[3], const int64_t direct
   return valid;
 }
 
+const int64_t fc_eye[3] = {0, 0, 0};
+
 /* What an exact point is a root of: t = 1. */
 static const fc_root one = {{1, 0}, {1, 0}, {0, 0}, {0, 0}, 0};
+
+FC_COLD void fc_segment_from(fc_segment *segment, const fc_root *root, const int64_t direction[3], const int64_t light[3]) {
+  uint8_t i;
+  for (i = 0; i < 3; i++) segment->light[i] = light[i];
+  segment->root = root;
+  segment->direction = direction;
+  segment->outside = true;
+  segment->t = fc_root_quick(root);
+  segment->point_error = fc_point_near(segment->t, fc_eye, direction, segment->point);
+  if (segment->point_error == UINT32_MAX) segment->t.m = 0;
+}
 
 FC_COLD void fc_segment_prepare(fc_segment *segment) {
   segment->t.m = 0;

@@ -25,6 +25,12 @@ typedef struct fc_segment {
   fc_quick t;               /* the root's value, by fc_segment_prepare; 0 without a useful point */
 } fc_segment;
 
+/* The eye of camera space, where segments are seen from. */
+extern const int64_t fc_eye[3];
+
+/* The segment from where a ray from the eye meets a surface to a light; root and direction have to last. */
+void fc_segment_from(fc_segment *segment, const fc_root *root, const int64_t direction[3], const int64_t light[3]);
+
 /* Call it whenever light, point or root have changed. */
 void fc_segment_prepare(fc_segment *segment);
 

@@ -68,23 +68,10 @@ static FC_COLD uint32_t irradiance_q24(const fc_frame *frame, const fc_surface *
   return value.e > 0 ? UINT32_MAX : (uint32_t)fc_quick_to_u64(value);
 }
 
-FC_COLD void fc_surface_segment(const fc_surface *surface, const int64_t light[3], fc_segment *segment) {
-  uint8_t i;
-  for (i = 0; i < 3; i++) {
-    segment->light[i] = light[i];
-    segment->point[i] = surface->point[i];
-  }
-  segment->root = &surface->root;
-  segment->direction = surface->direction;
-  segment->point_error = surface->point_error;
-  segment->outside = true;
-  fc_segment_prepare(segment);
-}
-
 FC_COLD bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const int64_t position[3]) {
   fc_segment segment;
-  fc_surface_segment(surface, position, &segment);
-  if (!fc_kind_of(&surface->at)->facing(&surface->form, &surface->prepared, &segment)) return false;
+  fc_segment_from(&segment, &surface->root, surface->direction, position);
+  if (!fc_kind_of(&surface->at)->facing(&surface->form, &segment)) return false;
   if (frame->options.offset_rule == FC_OFFSET_EXACT) return !fc_space_blocked(space, &segment, surface->primitive);
   segment.root = NULL;
   segment.outside = false; /* rounded, it may have slipped through */

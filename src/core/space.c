@@ -136,6 +136,13 @@ FC_COLD bool fc_space_blocked(const fc_space *space, const fc_segment *segment, 
   return fc_space_search(space, segment->point_error != UINT32_MAX ? &reach : NULL, blocks, &test);
 }
 
+FC_COLD uint8_t fc_form_meet(const fc_kind *kind, const fc_form *form, const int64_t origin[3], const int64_t direction[3],
+                             fc_root *root) {
+  fc_prepared prepared;
+  kind->prepare(form, origin, &prepared);
+  return kind->test(&prepared, direction, root);
+}
+
 FC_COLD bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primitive, const int64_t origin[3],
                      const int64_t direction[3]) {
   uint16_t index;
@@ -144,12 +151,13 @@ FC_COLD bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_
   surface->origin = origin;
   surface->direction = direction;
   fc_kind_of(&surface->at)->fetch(&surface->at.group, index, &surface->form);
-  fc_kind_of(&surface->at)->prepare(&surface->form, origin, &surface->prepared);
-  return fc_kind_of(&surface->at)->test(&surface->prepared, direction, &surface->root) != 0;
+  return fc_form_meet(fc_kind_of(&surface->at), &surface->form, origin, direction, &surface->root) != 0;
 }
 
 FC_COLD void fc_surface_complete(fc_surface *surface) {
   surface->point_error = fc_point_near(fc_root_quick(&surface->root), surface->origin, surface->direction, surface->point);
-  surface->inside =
-      fc_kind_of(&surface->at)->normal(&surface->form, &surface->prepared, surface->point, surface->normal) || surface->root.q > 0;
+  fc_kind_of(&surface->at)->normal(&surface->form, surface->point, surface->normal);
+  /* inside a sphere the root says so; elsewhere the origin, which is not on the surface, is behind it */
+  surface->inside = surface->root.q > 0 ||
+                    (surface->root.q == 0 && fc_kind_of(&surface->at)->side(&surface->form, surface->origin) < 0);
 }

@@ -204,18 +204,16 @@ static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
   return light >= 0 && point >= 0 && light + point > 0 && sign_of(away, form, segment, FC_DECIDE_PASS) > 0;
 }
 
-static FC_COLD bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
+static FC_COLD bool facing(const fc_form *form, const fc_segment *segment) {
   int8_t turned = sign_of(away, form, segment, FC_DECIDE_FACING);
-  if (fc_i128_sign(prepared->u.sphere.c) > 0) return turned < 0;
+  if (side(form, fc_eye) > 0) return turned < 0;
   /* from inside (or on it, looking in), the light must be inside too, or the sphere itself is in the way */
   return turned > 0 && side(form, segment->light) <= 0;
 }
 
-static FC_COLD bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
+static FC_COLD void normal(const fc_form *form, const int64_t point[3], int64_t n[3]) {
   uint8_t i;
-  (void)prepared;
   for (i = 0; i < 3; i++) n[i] = point[i] - form->u.sphere.center[i];
-  return false; /* which side is seen, the root knows */
 }
 
 static FC_COLD void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {

@@ -28,7 +28,7 @@ static int check(const fc_scene *scene, const fc_shapes *shapes) {
 }
 
 /* The eye in whole world coordinates, floor; false when it is out of their range. */
-static bool whole_eye(const fc_view *view, int32_t eye[3]) {
+static FC_COLD bool whole_eye(const fc_view *view, int32_t eye[3]) {
   uint8_t i;
   for (i = 0; i < 3; i++) {
     int64_t e = fc_floor_shift64(view->eye[i], view->fine);
@@ -38,7 +38,7 @@ static bool whole_eye(const fc_view *view, int32_t eye[3]) {
   return true;
 }
 
-static fc_num exact_distance(const fc_view *view, const fc_vec3 *v) {
+static FC_COLD fc_num exact_distance(const fc_view *view, const fc_vec3 *v) {
   int64_t offset[3];
   fc_view_offset(view, v, offset);
   return fc_length(offset);
@@ -113,6 +113,13 @@ static bool find_transform(const fc_view *view, transform *to) {
   return true;
 }
 
+/* floor(v / 2^down), which fits 32 bits. */
+static inline int32_t cut(int64_t v, uint8_t down) {
+  uint32_t low = (uint32_t)(uint64_t)v;
+  if (down >= 32) return fc_floor_shift32(fc_high_word(v), (uint8_t)(down - 32));
+  return down == 0 ? fc_to_i32(low) : fc_to_i32(low >> down | (uint32_t)fc_high_word(v) << (32 - down));
+}
+
 static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   fc_placed_vertex *placed = (fc_placed_vertex *)(void *)((fc_placed_mesh *)to + 1);
   transform t;
@@ -127,8 +134,8 @@ static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
       for (j = 0; j < 3; j++) {
         const int32_t *row = view->row[j];
         /* below 2^61 2^0.8, and the constant's 2^62 */
-        int64_t sum = fc_smul32(row[0], v.x) + fc_smul32(row[1], v.y) + fc_smul32(row[2], v.z) + t.constant[j];
-        placed[i].p[j] = fc_to_i32((uint32_t)(uint64_t)fc_floor_shift64(sum, t.down));
+        int64_t sum = fc_product(row[0], v.x) + fc_product(row[1], v.y) + fc_product(row[2], v.z) + t.constant[j];
+        placed[i].p[j] = cut(sum, t.down);
       }
     } else {
       int64_t p[3];
@@ -299,16 +306,13 @@ static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
   return fc_side_of_point(segment, n, fc_i128_dot(n, form->u.triangle.vertex[0])) == light;
 }
 
-static FC_COLD bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
-  return fc_i128_sign(prepared->u.triangle.side) * side(form, segment->light) < 0;
+static FC_COLD bool facing(const fc_form *form, const fc_segment *segment) {
+  return side(form, fc_eye) * side(form, segment->light) > 0;
 }
 
-static bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
-  uint8_t i;
-  (void)form;
+static FC_COLD void normal(const fc_form *form, const int64_t point[3], int64_t n[3]) {
   (void)point;
-  for (i = 0; i < 3; i++) n[i] = prepared->u.triangle.normal[i];
-  return fc_i128_sign(prepared->u.triangle.side) > 0;
+  fc_face_normal(form, n);
 }
 
 static void weights(const fc_prepared *prepared, const int64_t direction[3], uint32_t weight_q30[3]) {

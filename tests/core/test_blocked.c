@@ -140,10 +140,10 @@ static void test_g2_fallbacks_agree_with_filters(void) {
     fc_segment_prepare(&segment);
     exact = kinds[by]->blocked(&occluder, &segment);
     TEST_ASSERT_EQUAL_INT(exact, quick);
-    exact = kinds[from]->facing(&receiver, &prepared, &segment);
+    exact = kinds[from]->facing(&receiver, &segment);
     segment.point_error = error;
     fc_segment_prepare(&segment);
-    quick = kinds[from]->facing(&receiver, &prepared, &segment);
+    quick = kinds[from]->facing(&receiver, &segment);
     TEST_ASSERT_EQUAL_INT(exact, quick);
   }
   TEST_ASSERT_GREATER_THAN_INT(2000, used);
@@ -231,7 +231,7 @@ static void test_g9_a_sphere_does_not_shadow_itself(void) {
     segment.direction = d;
     segment.point_error = fc_point_near(fc_root_quick(&root[0]), eye, d, segment.point);
     fc_segment_prepare(&segment);
-    if (!fc_kind_sphere.facing(&form, &prepared, &segment)) continue;
+    if (!fc_kind_sphere.facing(&form, &segment)) continue;
     facing++;
     /* the exact point is on the sphere, so this runs the whole exact form, and it finds no second meeting */
     TEST_ASSERT_FALSE(fc_kind_sphere.blocked(&form, &segment));
