@@ -271,6 +271,22 @@ static FC_COLD bool cast_from_part(fc_scan *scan, const fc_planar *planar) {
   return true;
 }
 
+/* floor((2^32 - 1) / n), 0 for 0: bit by bit, as small chips divide by a function that nothing else here needs. */
+static FC_COLD uint32_t per_step(uint16_t n) {
+  uint32_t q = 0, rest = 0; /* below 2^17 */
+  uint8_t i;
+  if (n == 0) return 0;
+  for (i = 0; i < 32; i++) {
+    q <<= 1;
+    rest = 2 * rest + 1;
+    if (rest >= n) {
+      rest -= n;
+      q++;
+    }
+  }
+  return q;
+}
+
 static FC_COLD void set_corners(fc_planar *planar) {
   const uint16_t columns = (uint16_t)(planar->right - planar->left), rows = (uint16_t)(planar->bottom - planar->top);
   uint8_t i, j;
@@ -280,8 +296,8 @@ static FC_COLD void set_corners(fc_planar *planar) {
     for (i = 0; i < 4; i++)
       planar->corner[i][j] = (int16_t)fc_floor_shift32(w + (i & 1 ? right : 0) + (i & 2 ? down : 0) + 0x8000, 16);
   }
-  planar->per_column = columns > 0 ? UINT32_MAX / columns : 0;
-  planar->per_row = rows > 0 ? UINT32_MAX / rows : 0;
+  planar->per_column = per_step(columns);
+  planar->per_row = per_step(rows);
 }
 
 /* Candidates for occluders, each asked to darken what it can. */
