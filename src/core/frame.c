@@ -44,7 +44,7 @@ static FC_COLD void choose_grid(fc_frame *frame) {
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) {
     fc_num extent = fc_kind_of(&cursor)->extent(&frame->view, &cursor.group.shapes);
-    if (fc_num_compare(extent, most) > 0) most = extent;
+    if (fc_num_order_of(&extent, &most) > 0) most = extent;
   }
   shift = most.e + 63 - 30;
   if (most.m > (UINT64_C(1) << 63) - (UINT64_C(1) << 38)) shift++; /* no room for rounding */
@@ -77,7 +77,8 @@ static FC_COLD void measure_depth(fc_frame *frame) {
   while (fc_cursor_next(&cursor)) fc_kind_of(&cursor)->depth_range(frame, &cursor.group, &near, &far);
   if (far == 0) near = far = 1; /* nothing to see */
   if (frame->scene.far_limit > 0) {
-    uint64_t limit = fc_num_round(fc_num_from_u64((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame)), 0);
+    fc_quick limited = fc_quick_from((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame));
+    uint64_t limit = limited.e > 30 ? UINT64_MAX : fc_quick_to_u64(limited) + 1;
     if (limit < far) far = limit > near ? limit : near;
   }
   fc_depth_choose(frame, near, far);
@@ -86,32 +87,39 @@ static FC_COLD void measure_depth(fc_frame *frame) {
 /* Which hits the far limit cuts: exactly between two bounds, and by these numbers in between (scan.h). */
 static FC_COLD void set_far(fc_frame *frame) {
   int64_t corner[3];
-  fc_num far, ratio, scale, longest;
+  fc_quick ratio, inverse, longest;
+  int32_t low, high;
   if (frame->scene.far_limit == 0) return;
-  far = fc_num_from_u64((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame));
-  ratio = fc_num_div(fc_num_from_u64(frame->depth_near, 0), far);
+  ratio = fc_quick_mul(fc_quick_from(frame->depth_near, 0),
+                       fc_quick_recip(fc_quick_from((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame))));
   fc_view_direction(frame, 0, 0, corner);
-  longest = fc_num_div(fc_length(corner), fc_num_from_u64((uint64_t)corner[2], 0));
-  frame->far_low = (uint32_t)fc_num_round(fc_num_compare(ratio, fc_num_from_u64(1, 0)) < 0 ? ratio : fc_num_from_u64(1, 0), 30);
-  if (frame->far_low > 2) frame->far_low -= 2;
-  longest = fc_num_mul(longest, ratio);
-  frame->far_high = fc_num_compare(longest, fc_num_from_u64(1, 0)) < 0 ? (uint32_t)fc_num_round(longest, 30) + 2 : UINT32_MAX;
-  scale = fc_num_div(ratio, fc_num_from_u64((uint64_t)corner[2], 0));
-  scale = fc_num_scale(fc_num_mul(scale, scale), 82);
-  if (scale.m == 0 || scale.e > -31 || scale.e < -31 - 63) {
-    frame->far_shift = FC_FAR_EXACT;
-  } else {
-    frame->far_scale = (uint32_t)(scale.m >> 31);
-    frame->far_shift = (uint8_t)(-31 - scale.e);
-  }
+  inverse = fc_quick_recip(fc_quick_from((uint64_t)corner[2], 0));
+  longest = fc_quick_from((uint64_t)fc_dot(corner, corner), 0);
+  longest = fc_quick_mul(fc_quick_mul(longest, fc_quick_rsqrt(longest)), inverse);
+  /* all within 2^-24 */
+  low = fc_quick_to_int(ratio, 30);
+  if (low >> 30 != 0) low = INT32_C(1) << 30;
+  low -= (low >> 22) + 2;
+  frame->far_low = low > 0 ? (uint32_t)low : 0;
+  high = fc_quick_to_int(fc_quick_mul(longest, ratio), 30);
+  if (high >> 30 == 0) high += (high >> 22) + 2;
+  frame->far_high = high >> 30 != 0 ? UINT32_MAX : (uint32_t)high;
+  ratio = fc_quick_mul(ratio, inverse);
+  ratio = fc_quick_scale(fc_quick_mul(ratio, ratio), 82);
+  frame->far_scale = ratio.m;
+  frame->far_shift = ratio.m == 0 || ratio.e > 0 || ratio.e < -63 ? FC_FAR_EXACT : (uint8_t)-ratio.e;
+}
+
+/* round(v 2^e), e up to 14. */
+static FC_COLD uint32_t level(uint16_t v, int16_t e) {
+  return ((uint32_t)fc_quick_to_int(fc_quick_from(v, 0), (int16_t)(e + 1)) + 1) / 2; /* 16 + 15 bits */
 }
 
 /* Whether the scan engine's light forms hold: one light, no falloff, exact shadows, within 2^30 grid units. */
 static FC_COLD void set_light(fc_frame *frame) {
   const uint64_t reach = (uint64_t)FC_COORDINATE_MAX;
   fc_light light;
-  uint16_t intensity[3];
-  uint8_t i;
+  int16_t e;
   frame->light = FC_LIGHT_MANY;
   if (frame->scene.light_count == 0) frame->light = FC_LIGHT_NONE;
   if (frame->scene.light_count != 1 || frame->options.offset_rule != FC_OFFSET_EXACT) return;
@@ -119,11 +127,10 @@ static FC_COLD void set_light(fc_frame *frame) {
   if (light.inverse_square || light.intensity_exponent > 14 || fc_abs64(frame->lights[0]) > reach ||
       fc_abs64(frame->lights[1]) > reach || fc_abs64(frame->lights[2]) > reach)
     return;
-  intensity[0] = light.intensity.r;
-  intensity[1] = light.intensity.g;
-  intensity[2] = light.intensity.b;
-  for (i = 0; i < 3; i++)
-    frame->light_level[i] = (uint32_t)fc_num_round(fc_num_from_u64(intensity[i], 0), light.intensity_exponent);
+  e = light.intensity_exponent;
+  frame->light_level[0] = level(light.intensity.r, e);
+  frame->light_level[1] = level(light.intensity.g, e);
+  frame->light_level[2] = level(light.intensity.b, e);
   frame->light = FC_LIGHT_ONE;
 }
 

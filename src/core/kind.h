@@ -93,11 +93,10 @@ struct fc_kind {
   uint8_t (*test)(const fc_prepared *prepared, const int64_t direction[3], fc_root *root);
   /* Whether the open segment meets the form. */
   bool (*blocked)(const fc_form *form, const fc_segment *segment);
-  /* Whether the side of the form that the origin sees faces the light. */
-  bool (*facing)(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment);
-  /* A vector along the normal at a point, and whether the origin is on its far side (for spheres the root says that:
-   * the far one is seen from inside). */
-  bool (*normal)(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t normal[3]);
+  /* Whether the side of the form that the eye, at 0, sees faces the light. */
+  bool (*facing)(const fc_form *form, const fc_segment *segment);
+  /* A vector along the normal at a point. */
+  void (*normal)(const fc_form *form, const int64_t point[3], int64_t normal[3]);
   /* The side of the surface that a point is on: 1 where the normal points to, 0 on it, -1. Points below 2^62. */
   int8_t (*side)(const fc_form *form, const int64_t point[3]);
   /* Barycentric weights of a hit, Q30; NULL where there are none. */

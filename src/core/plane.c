@@ -35,9 +35,13 @@ static FC_COLD void normal_of(const fc_plane *p, int64_t n[3]) {
 /* k of the plane relative to the eye, in units of 2^-fine: -d - normal . eye; 30+32+31 bits and 30+61+2: below 2^94. */
 static FC_COLD fc_i128 offset_from_eye(const fc_view *view, const fc_plane *p) {
   int64_t n[3];
-  fc_i128 d = fc_i128_shift_left(fc_i128_from(p->d), (uint8_t)(p->d_exponent + view->fine));
+  fc_i128 d = fc_i128_from(p->d), along;
+  fc_i128_move(&d, (int16_t)(p->d_exponent + view->fine));
   normal_of(p, n);
-  return fc_i128_neg(fc_i128_add(d, fc_i128_dot(n, view->eye)));
+  along = fc_i128_dot(n, view->eye);
+  fc_i128_plus(&d, &along);
+  fc_i128_negate(&d);
+  return d;
 }
 
 static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
@@ -46,11 +50,15 @@ static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   for (i = 0; i < shapes->count; i++) {
     fc_plane p;
     int64_t n[3];
-    fc_num distance;
+    fc_num distance, length;
+    fc_i128 k;
     read_item(shapes, i, &p);
     normal_of(&p, n);
-    distance = fc_num_div(fc_num_from_abs(offset_from_eye(view, &p)), fc_length(n));
-    if (fc_num_compare(distance, most) > 0) most = distance;
+    k = offset_from_eye(view, &p);
+    fc_num_set_abs(&distance, &k);
+    fc_length_to(&length, n);
+    fc_num_over(&distance, &length);
+    if (fc_num_order_of(&distance, &most) > 0) most = distance;
   }
   return most;
 }
@@ -71,12 +79,12 @@ static FC_COLD void place(const fc_view *view, const fc_shapes *shapes, void *to
       rotated[j] = view->row[j][0] * n[0] + view->row[j][1] * n[1] + view->row[j][2] * n[2];
     bits = fc_vector_bits(rotated);
     /* keep 29 bits and a rounding: at most 2^29. A normal of a few units has at least 30 bits after the rotation. */
-    for (j = 0; j < 3; j++)
-      placed[i].normal[j] = (int32_t)fc_i128_to_i64(fc_i128_round_shift(fc_i128_from(rotated[j]), (uint8_t)(bits - 29)));
-    /* normal was scaled by 2^(30 - (bits - 29)), the grid by 2^-shift */
-    scale = (int16_t)(30 - (bits - 29) - view->shift);
+    bits = (uint8_t)(bits - 29);
+    for (j = 0; j < 3; j++) placed[i].normal[j] = (int32_t)fc_floor_shift64(rotated[j] + (INT64_C(1) << (bits - 1)), bits);
+    /* normal was scaled by 2^(30 - bits), the grid by 2^-shift */
+    scale = (int16_t)(30 - bits - view->shift);
     k = offset_from_eye(view, &p);
-    k = scale >= 0 ? fc_i128_shift_left(k, (uint8_t)scale) : fc_i128_round_shift(k, (uint8_t)-scale);
+    fc_i128_move(&k, scale);
     placed[i].k = fc_i128_to_i64(k); /* distance below 2^30 times |normal| below 2^30 */
   }
 }
@@ -124,7 +132,9 @@ static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction
 }
 
 static FC_COLD int8_t side(const fc_form *form, const int64_t point[3]) {
-  return fc_i128_sign(fc_i128_sub(fc_i128_dot(form->u.plane.normal, point), fc_i128_from(form->u.plane.k)));
+  fc_i128 along = fc_i128_dot(form->u.plane.normal, point), k = fc_i128_from(form->u.plane.k);
+  fc_i128_minus(&along, &k);
+  return fc_i128_sign(along);
 }
 
 static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
@@ -132,52 +142,48 @@ static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
   return light != 0 && fc_side_of_point(segment, form->u.plane.normal, fc_i128_from(form->u.plane.k)) == light;
 }
 
-static FC_COLD bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
-  return fc_sign64(prepared->u.plane.side) * side(form, segment->light) < 0;
+static FC_COLD bool facing(const fc_form *form, const fc_segment *segment) {
+  return side(form, fc_eye) * side(form, segment->light) > 0;
 }
 
-static FC_COLD bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
+static FC_COLD void normal(const fc_form *form, const int64_t point[3], int64_t n[3]) {
+  uint8_t i;
   (void)point;
-  n[0] = form->u.plane.normal[0];
-  n[1] = form->u.plane.normal[1];
-  n[2] = form->u.plane.normal[2];
-  return prepared->u.plane.side > 0; /* k - n.O > 0: the origin is behind */
+  for (i = 0; i < 3; i++) n[i] = form->u.plane.normal[i];
 }
 
-static FC_COLD bool item_range(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far) {
-  /* 1/z is affine in the pixel, so the corner pixels hold its extremes; a corner that misses means the horizon
-   * is in view, and z has no bound. */
-
-  const int64_t origin[3] = {0, 0, 0};
-  fc_prepared prepared;
-  uint8_t i, hits = 0;
-  prepare(form, origin, &prepared);
-  for (i = 0; i < 4; i++) {
-    fc_root root;
-    int64_t d[3];
-    uint64_t z;
-    fc_view_direction(frame, (i & 1) ? (uint16_t)(frame->width - 1) : 0,
-                      (i & 2) ? (uint16_t)(frame->height - 1) : 0, d);
-    if (test(&prepared, d, &root) == 0) continue;
-    z = fc_num_round(fc_num_mul(fc_root_value(&root), fc_num_from_u64((uint64_t)d[2], 0)), 0);
-    if (hits == 0 || z < *near) *near = z;
-    if (hits == 0 || z > *far) *far = z;
-    hits++;
-  }
-  if (hits < 4) *far = UINT64_MAX;
-  if (*near > 0) *near -= 1; /* rounded */
-  return hits > 0;
+/* |k| F / along, which is z; within 2^-24. */
+static FC_COLD uint64_t z_at(const fc_frame *frame, int64_t k, int64_t along) {
+  fc_quick z = fc_quick_mul(fc_quick_from(fc_abs64(k), 0), fc_quick_recip(fc_quick_from((uint64_t)along, 0)));
+  z = fc_quick_mul(z, fc_quick_from((uint64_t)frame->view.focal, 0));
+  return z.e > 30 ? UINT64_MAX / 2 : fc_quick_to_u64(z);
 }
 
 static FC_COLD void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
   uint16_t i;
   for (i = 0; i < group->shapes.count; i++) {
+    /* 1/z is affine in the pixel, so the corner pixels (+-x, +-y, F) hold its extremes; a corner that misses means the horizon is in
+     * view, and z has no bound. */
+    int64_t reach, middle;
+    uint64_t z;
     fc_form form;
-    uint64_t low = 0, high = 0;
     fetch(group, i, &form);
-    if (!item_range(frame, &form, &low, &high)) continue;
-    if (low < *near) *near = low;
-    if (high > *far) *far = high;
+    middle = form.u.plane.normal[2] * frame->view.focal;
+    if (form.u.plane.k < 0) middle = -middle;
+    reach = (int64_t)(fc_abs64(form.u.plane.normal[0]) * (uint16_t)(frame->width - 1) +
+                      fc_abs64(form.u.plane.normal[1]) * (uint16_t)(frame->height - 1)) *
+            (INT64_C(1) << frame->view.pixel_shift);
+    if (form.u.plane.k == 0 || middle + reach <= 0) continue;
+    z = z_at(frame, form.u.plane.k, middle + reach);
+    z -= z >> 22;
+    if (z > 0) z--; /* cut */
+    if (z < *near) *near = z;
+    z = UINT64_MAX;
+    if (middle > reach) {
+      z = z_at(frame, form.u.plane.k, middle - reach);
+      z += (z >> 22) + 1;
+    }
+    if (z > *far) *far = z;
   }
 }
 

@@ -8,14 +8,14 @@
 
 static uint16_t clamp_pixel(int32_t v, uint16_t size) { return v < 0 ? 0 : v >= size ? (uint16_t)(size - 1) : (uint16_t)v; }
 
-static void set_window(const fc_frame *frame, const fc_window *box, fc_placed_window *window) {
+static FC_COLD void set_window(const fc_frame *frame, const fc_window *box, fc_placed_window *window) {
   window->x0 = clamp_pixel(box->x0, frame->width);
   window->x1 = clamp_pixel(box->x1, frame->width);
   window->y0 = clamp_pixel(box->y0, frame->height);
   window->y1 = clamp_pixel(box->y1, frame->height);
 }
 
-void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
+FC_COLD void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
   fc_placed_sphere *placed = memory;
   int64_t limit = (int64_t)fc_num_round(fc_num_from_u64((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame)), 0);
   uint16_t i;
@@ -73,6 +73,7 @@ typedef struct ball_light {
   int32_t fine_margin;    /* ... and refined */
   uint8_t octave, octaves; /* p of fewer bits, or octaves or more above them, is left to the ray engine */
   fc_quick depth;         /* near 2^(30 + drop) / F: over p it is t */
+  uint32_t curve[3];      /* cosine / (s - h) = curve[0] + x (curve[1] + x curve[2]), Q16, x = s - h; curve[0] 0: see cosine_of */
   uint8_t occluders;      /* MANY: more than the list holds */
   struct {
     uint16_t primitive;
@@ -110,7 +111,7 @@ static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
   return false;
 }
 
-static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
+static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_reach reach;
   occluder_list list;
@@ -125,8 +126,52 @@ static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
   (void)fc_space_search(&space, &reach, add_occluder, &list);
 }
 
+/* The cosine in Q16 from s - h = e > 0. */
+FC_INLINE uint32_t cosine_of(uint32_t e, uint32_t sum, uint32_t h, uint32_t start) {
+  /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
+  uint32_t g = (sum - (((e >> 8) + start) * h >> 6)) << 6;
+  uint8_t up = 15;
+  while (g < UINT32_C(1) << 30) {
+    g <<= 2;
+    up--;
+  }
+  e = ((e >> 9) * fc_rsqrt_q15(g)) >> up;
+  return e > 65536 ? 65536 : e;
+}
+
+/* 1 / sqrt(1 + h^2 - 2 s h) in Q16, for h up to 1/4. */
+static FC_COLD int32_t inverse_distance(const ball_light *light, uint32_t e) {
+  uint32_t g = ((uint32_t)light->sum - (((e >> 8) + ((uint32_t)light->h >> 8)) * ((uint32_t)light->h >> 9) >> 6)) << 6;
+  /* at least (3/4)^2 in Q30: one shift makes it 2^30 */
+  return (int32_t)(g < UINT32_C(1) << 30 ? 2 * fc_rsqrt_q15(g << 2) : fc_rsqrt_q15(g));
+}
+
+/*
+ * Where h is small, 1 / sqrt(1 - h^2 - 2 x h) hardly bends over x = s - h in 0 .. X = 1 - h: a parabola through its values at both
+ * ends and the middle is off by at most 0.0481 / 6 of the third derivative in x / X, which is 15 h^3 / (1 - h)^4: 2^-10.3 at
+ * h = 0.15; the values' own errors, 2^-14, come to less than 2^-13.
+ */
+static FC_COLD void set_curve(ball_light *light) {
+  const uint32_t whole = (UINT32_C(1) << 24) - (uint32_t)light->h;
+  int32_t g0, g1, g2, slope, bend, r;
+  light->curve[0] = 0;
+  if (light->h > 2516582) return; /* 0.15 */
+  g0 = inverse_distance(light, 0);
+  g1 = inverse_distance(light, whole / 2);
+  g2 = inverse_distance(light, whole);
+  slope = 4 * g1 - 3 * g0 - g2;
+  bend = 2 * (g2 - 2 * g1 + g0);
+  /* 1 / X in Q15, up to 2^15.3; slope and bend below 2^15 */
+  r = (int32_t)fc_recip_q31(whole >> 8 > 0xffffu ? 0xffffu : whole >> 8);
+  slope = slope < 0 ? 0 : slope * r / 32768;
+  bend = bend < 0 ? 0 : bend * r / 32768 * r / 32768;
+  light->curve[0] = (uint32_t)g0;
+  light->curve[1] = (uint32_t)slope;
+  light->curve[2] = (uint32_t)bend;
+}
+
 /* p: near / z = p / 2^(30 + drop), off by at most `error`. */
-static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop, uint32_t error) {
+static FC_COLD uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop, uint32_t error) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, l[3], at, most, center_light;
   int32_t s0;
@@ -186,11 +231,12 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
   light->octave = (uint8_t)lowest;
   light->octaves = (uint8_t)(highest - lowest);
   light->shift = shift;
+  set_curve(light);
   return LIGHT_FORMS;
 }
 
 /* The point that a pixel with this p shows: t D with t = near 2^(30 + drop) / (p F); returns a bound of its error an axis. */
-static uint32_t point_at(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p,
+static FC_COLD uint32_t point_at(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p,
                          int32_t point[3]) {
   fc_quick t = fc_quick_mul(fc_quick_recip(fc_quick_from(p, 0)), light->depth);
   int64_t d[3];
@@ -224,7 +270,7 @@ static bool hides_pixel(void *context, const fc_cursor *at, uint16_t index) {
   return hides > 0 || (hides < 0 && fc_scan_blocked(q->scan, q->row, q->column, kind, &form));
 }
 
-static FC_NOINLINE bool occluded_by_any(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
+static FC_COLD bool occluded_by_any(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
   fc_space space = fc_space_of_frame(scan->frame);
   pixel_question question;
   fc_reach reach;
@@ -244,7 +290,7 @@ static FC_NOINLINE bool occluded_by_any(const fc_scan *scan, const ball_light *l
 }
 
 /* Whether an occluder in the list keeps the light away from the pixel with this p. */
-static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
+static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_cursor cursor;
   int32_t point[3];
@@ -284,13 +330,13 @@ typedef struct facing {
 } facing;
 
 /* v / p times 2^cut 2^31 / 2^16, v within 2^30: a product of 31 and 16 bits. */
-static inline int32_t over(int32_t v, uint32_t p, uint8_t cut) {
+FC_INLINE int32_t over(int32_t v, uint32_t p, uint8_t cut) {
   uint32_t r = fc_recip_q31(p >> cut);
   return fc_floor_shift32(v, 16) * (int32_t)r + (int32_t)((((uint32_t)v & 0xffffu) * r) >> 16);
 }
 
 /* s - h of a pixel, refined. */
-static FC_NOINLINE int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
+static FC_COLD int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
   uint32_t r = fc_recip_q31(p >> (octave - 15));
   int32_t s = over(along, p, (uint8_t)(octave - 15));
   /* times 1 + rest with rest = 1 - x r, below 2^-13 */
@@ -329,21 +375,19 @@ static FC_NOINLINE uint32_t *face_octave(const facing *of, int32_t along, uint32
 /* Turns p of the pixels in `bits` into s - h in Q24 (of others, too); returns those that are within the margin, or out of
  * reach, and in *averted those that do not face the light. */
 static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *first, uint32_t *averted) {
-  uint32_t open = 0, dark = 0, close = 0, left, *p = first, *end = first;
+  uint32_t open = 0, dark = 0, close = 0, left = bits, *p = first;
+  const uint32_t *end = first + (32 - fc_clz32(bits));
   facing of;
   of.dx = light->dx;
   of.away = light->away;
   of.margin = (uint32_t)light->margin;
-  for (left = bits; left != 0; left >>= 1) end++;
-  while (p != end) {
-    uint32_t bit = UINT32_C(1) << (p - first), v = *p;
+  for (;;) {
+    uint32_t bit;
     uint8_t octave;
     int16_t down;
-    if (!(bits & bit)) {
-      p++;
-      continue;
-    }
-    octave = (uint8_t)(31 - fc_clz32(v)); /* what is shown has a p */
+    for (; !(left & 1); left >>= 1) p++;
+    bit = UINT32_C(1) << (p - first);
+    octave = (uint8_t)(31 - fc_clz32(*p)); /* what is shown has a p */
     down = (int16_t)(octave + light->shift);
     if ((uint8_t)(octave - light->octave) > light->octaves) {
       open |= bit;
@@ -357,6 +401,8 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
       of.down = (uint8_t)down;
       p = face_octave(&of, along + of.dx * (int32_t)(p - first), p, end, bit, &close, &dark);
     }
+    if (p == end) break;
+    left = bits >> (p - first);
   }
   for (p = first, left = close & bits; left != 0; left >>= 1, p++) {
     int32_t e, fine = light->fine_margin;
@@ -369,19 +415,6 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
   }
   *averted = dark & bits & ~open;
   return open;
-}
-
-/* The cosine in Q16 from s - h = e > 0. */
-static inline uint32_t cosine_of(uint32_t e, uint32_t sum, uint32_t h, uint32_t start) {
-  /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
-  uint32_t g = (sum - (((e >> 8) + start) * h >> 6)) << 6;
-  uint8_t up = 15;
-  while (g < UINT32_C(1) << 30) {
-    g <<= 2;
-    up--;
-  }
-  e = ((e >> 9) * fc_rsqrt_q15(g)) >> up;
-  return e > 65536 ? 65536 : e;
 }
 
 /* Colours the pixels of a row in `bits` from s - h > 0 of each. */
@@ -397,6 +430,25 @@ static FC_NOINLINE void shade_plain(const ball_light *light, const fc_tint *tint
     packed = (red + red_slope * e) >> FC_TINT_BITS << 6;
     packed = (packed | (green + green_slope * e) >> FC_TINT_BITS) << 5;
     packed |= (blue + blue_slope * e) >> FC_TINT_BITS;
+    to[0] = (uint8_t)(packed >> 8);
+    to[1] = (uint8_t)packed;
+  }
+}
+
+/* The same where the light's curve holds. */
+static FC_NOINLINE void shade_curve(const ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to) {
+  const uint32_t c0 = light->curve[0], c1 = light->curve[1], c2 = light->curve[2];
+  const uint32_t red = tint->base[0], green = tint->base[1], blue = tint->base[2];
+  const uint32_t red_slope = tint->slope[0], green_slope = tint->slope[1], blue_slope = tint->slope[2];
+  for (; bits != 0; bits >>= 1, to += 2, p++) {
+    uint32_t x = *p >> 9, packed; /* Q15, at most 1 and little more */
+    if (!(bits & 1)) continue;
+    /* below 2^15 + 2^15 and 2^15, Q16; 2^16.3; 2^31.3 */
+    x = (x * (c0 + (x * (c1 + (x * c2 >> 15)) >> 15))) >> 15;
+    if (x > 65536) x = 65536;
+    packed = (red + red_slope * x) >> FC_TINT_BITS << 6;
+    packed = (packed | (green + green_slope * x) >> FC_TINT_BITS) << 5;
+    packed |= (blue + blue_slope * x) >> FC_TINT_BITS;
     to[0] = (uint8_t)(packed >> 8);
     to[1] = (uint8_t)packed;
   }
@@ -431,14 +483,16 @@ static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row
   if (dark != 0) fc_scan_unlit(scan, row, column, dark);
   bits &= ~(dark | open);
   fc_scan_lit(scan, row, column, bits);
-  if (scan->tint.plain)
+  if (scan->tint.plain && light->curve[0] != 0)
+    shade_curve(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column));
+  else if (scan->tint.plain)
     shade_plain(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column));
   else
     shade_any(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column), scan->pixel_bytes);
 }
 
 /* The same among occluders, who are asked about the points. */
-static FC_NOINLINE void light_row_among(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column,
+static FC_COLD void light_row_among(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column,
                                         uint32_t bits, const uint32_t *p) {
   uint32_t e[32], rest;
   uint8_t i;
@@ -462,7 +516,7 @@ typedef struct sphere_forms {
 } sphere_forms;
 
 /* Takes pixels beyond the far limit out of a run; returns those that it may cut. */
-static uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t row, uint16_t column, const uint32_t *ps,
+static FC_COLD uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t row, uint16_t column, const uint32_t *ps,
                          uint32_t *p, const uint32_t *end) {
   uint32_t open = 0;
   for (; p != end; p++) {
@@ -475,19 +529,53 @@ static uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t
   return open;
 }
 
-/* The pixels among `bits` that the ray engine shows. */
-static uint32_t exact_run(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
-  uint32_t shown = 0, bit = 1;
-  for (; bits != 0; bits >>= 1, bit <<= 1, column++)
-    if ((bits & 1) && fc_scan_exact(scan, row, column)) shown |= bit;
-  return shown;
-}
-
 /* Where the forms stand in a row. */
 typedef struct sphere_row {
   uint64_t f, dx;
-  uint32_t b;
+  uint64_t b_start; /* at the first pixel of a word */
+  uint32_t b;       /* with the word's steps rounded */
 } sphere_row;
+
+/*
+ * The pixels among `bits` of a word, whose forms stand in *at, that show the sphere, where 32 bits could not tell: by all bits of the
+ * forms, and where these leave it open by the ray engine. *rough: those of them that have no p.
+ */
+static FC_COLD uint32_t settle(const fc_scan *scan, const sphere_forms *ball, const sphere_row *at, fc_coder *coder, uint16_t row,
+                               uint16_t column, uint32_t bits, uint32_t *ps, uint32_t *rough) {
+  uint32_t shown = 0, bit = 1;
+  uint8_t n;
+  for (n = 0; bits != 0; n++, bits >>= 1, bit <<= 1) {
+    uint64_t f;
+    uint16_t *depth = fc_scan_depth(scan, row, (uint16_t)(column + n));
+    int32_t code = -1;
+    bool good = false;
+    if (!(bits & 1)) continue;
+    f = at->f + fc_times(at->dx, n);
+    if (n > 1) f += fc_times((uint64_t)ball->cone.dxx, (uint16_t)(n * (n - 1) / 2));
+    if (fc_to_i64(f) > ball->cone.error && !ball->clip) {
+      /* sqrt(f) is off by e / (2 sqrt(f)) at most; floors of the root and of b, and the factors' cuts, 4 (set_ball) */
+      uint32_t root = fc_sqrt64(f << ball->lift), p, error;
+      uint64_t loss = ((uint64_t)ball->cone.error << (ball->lift - ball->half_lift)) >> (31 - fc_clz32(root)); /* 34 + 30 bits */
+      p = (uint32_t)((at->b_start + fc_times((uint64_t)ball->b_dx, n)) >> 32) + (root >> ball->half_lift);
+      if (loss < UINT32_C(1) << 24 && p != 0) {
+        error = (uint32_t)loss + 8;
+        fc_coder_follow(coder, scan->frame, p);
+        code = fc_coder_code(coder, p, error);
+        good = error <= ball->error;
+        ps[n] = p;
+      }
+    }
+    if (code >= 0 && code != *depth) {
+      if (code < *depth) continue;
+      *depth = (uint16_t)code;
+    } else if (!fc_scan_exact(scan, row, (uint16_t)(column + n))) {
+      continue;
+    }
+    shown |= bit;
+    if (!good) *rough |= bit;
+  }
+  return shown;
+}
 
 /* p of the pixels from here on until one is not surely inside, or `end`; returns where that is. */
 static FC_NOINLINE uint32_t *inside_run(const sphere_forms *ball, sphere_row *at, uint32_t *to, const uint32_t *end) {
@@ -496,15 +584,22 @@ static FC_NOINLINE uint32_t *inside_run(const sphere_forms *ball, sphere_row *at
   uint32_t b = at->b;
   const uint32_t b_dx = ball->b_step;
   /* f's high word in low .. low + span - 1: f 2^up is in 2^62 .. 2^64 - 1 */
-  uint32_t low = 0, span = 0, up = 0, down = 0;
+  uint32_t low = UINT32_C(1) << (30 - ball->lift), span = 0, up = ball->lift, down = ball->half_lift; /* for the greatest f */
   while (to != end) {
     uint32_t high = (uint32_t)(f >> 32);
     if (high - low >= span) {
       if (fc_to_i32(high) <= ball->inside) break; /* at least 0 */
-      up = ball->lift; /* what the greatest f allows */
-      while (up < 30 && high < UINT32_C(1) << (30 - up)) up += 2;
-      down = ball->half_lift + (up - ball->lift) / 2;
       low = UINT32_C(1) << (30 - up);
+      while (high < low && up < 30) {
+        low >>= 2;
+        up += 2;
+        down++;
+      }
+      while (high >> 2 >= low && up > ball->lift) {
+        low <<= 2;
+        up -= 2;
+        down--;
+      }
       span = 3 * low;
       if (fc_to_i32(low) <= ball->inside) {
         span -= (uint32_t)ball->inside + 1 - low;
@@ -571,9 +666,9 @@ static FC_NOINLINE const uint32_t *test_octave(const octave *of, const uint32_t 
   return p;
 }
 
-/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. */
+/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. Returns those shown. */
 static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t column, const uint32_t *first, const uint32_t *end,
-                                     uint32_t error, fc_coder *coder) {
+                                     uint32_t error, fc_coder *coder, uint32_t *undecided) {
   uint16_t *depth = fc_scan_depth(scan, row, column);
   const uint32_t *p = first;
   uint32_t shown = 0, open = 0;
@@ -606,14 +701,17 @@ static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t
       p++;
     }
   }
-  return open == 0 ? shown : shown | exact_run(scan, row, column, open);
+  *undecided = open;
+  return shown;
 }
 
-/* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each, and in *exact those that
- * the ray engine alone has seen and that have no p. */
+/* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each, and in *rough those that show it
+ * and have no p. */
 static FC_NOINLINE uint32_t draw_word(const fc_scan *scan, const sphere_forms *ball, sphere_row *at, fc_coder *coder, uint16_t row,
-                                      uint16_t column, uint8_t count, uint32_t *ps, uint32_t *exact_bits) {
-  uint32_t *p = ps, *end = ps + count, *first = NULL, *last = ps, exact = 0;
+                                      uint16_t column, uint8_t count, uint32_t *ps, uint32_t *rough) {
+  uint32_t *p = ps, *end = ps + count, *first = NULL, *last = ps, open = 0, shown = 0;
+  const sphere_row start = *at;
+  *rough = 0;
   while (p != end) {
     int32_t high = fc_to_i32((uint32_t)(at->f >> 32));
     if (high > ball->inside) {
@@ -621,23 +719,29 @@ static FC_NOINLINE uint32_t draw_word(const fc_scan *scan, const sphere_forms *b
       p = inside_run(ball, at, p, end);
       if (first == NULL) first = from;
       last = p;
-      if (ball->clip) exact |= clip_run(scan, ball, row, column, ps, from, p);
+      if (ball->clip) open |= clip_run(scan, ball, row, column, ps, from, p);
       continue;
     }
-    if (high >= ball->outside) exact |= UINT32_C(1) << (p - ps);
+    if (high >= ball->outside) open |= UINT32_C(1) << (p - ps);
     p = outside_run(ball, at, p, end);
   }
-  if (exact != 0) exact = exact_run(scan, row, column, exact);
-  *exact_bits = exact;
-  if (first == NULL) return 0;
-  return test_run(scan, row, (uint16_t)(column + (first - ps)), first, last, ball->error, coder) << (first - ps);
+  if (first != NULL) {
+    uint32_t undecided;
+    shown = test_run(scan, row, (uint16_t)(column + (first - ps)), first, last, ball->error, coder, &undecided) << (first - ps);
+    open |= undecided << (first - ps);
+  }
+  if (open != 0) {
+    shown |= settle(scan, ball, &start, coder, row, column, open, ps, rough);
+    shown &= ~*rough;
+  }
+  return shown;
 }
 
 /* 2 floor(a b / 2^32) */
-static int64_t scaled(int64_t a, int32_t b) { return 2 * fc_smul64hi(a, b); }
+static FC_COLD int64_t scaled(int64_t a, int32_t b) { return 2 * fc_smul64hi(a, b); }
 
 /* Multiplies b and sqrt(f) by factor / 2^32, so that their sum is p. */
-static void fold(sphere_forms *ball, uint32_t factor, int64_t *b_dy, int64_t steps) {
+static FC_COLD void fold(sphere_forms *ball, uint32_t factor, int64_t *b_dy, int64_t steps) {
   const int32_t once = (int32_t)(factor >> 1), twice = (int32_t)(fc_mulhi32(factor, factor) >> 1);
   ball->b = scaled(ball->b, once);
   ball->b_dx = scaled(ball->b_dx, once);
@@ -652,7 +756,7 @@ static void fold(sphere_forms *ball, uint32_t factor, int64_t *b_dy, int64_t ste
   ball->cone.error += 4 * steps * steps;
 }
 
-static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere_forms *ball, int64_t *b_dy) {
+static FC_COLD void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere_forms *ball, int64_t *b_dy) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, unit;
   fc_sheaf sheaf;
@@ -748,6 +852,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
       uint32_t ps[32], bits, exact;
       uint8_t count = scan->columns - column < 32 ? (uint8_t)(scan->columns - column) : 32;
       at.b = (uint32_t)((b + (UINT32_C(1) << 31)) >> 32);
+      at.b_start = b;
       b += (uint64_t)ball.b_dx << 5;
       bits = draw_word(scan, &ball, &at, &coder, row, column, count, ps, &exact);
       if ((bits | exact) == 0 || !fc_scan_wants_light(scan, row, column, bits | exact)) continue;
@@ -768,7 +873,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   }
 }
 
-void fc_sphere_draw(fc_scan *scan) {
+FC_COLD void fc_sphere_draw(fc_scan *scan) {
   const fc_placed_sphere *placed = (const fc_placed_sphere *)scan->at->group.memory + scan->index;
   uint16_t row;
   uint8_t word;
@@ -788,7 +893,7 @@ void fc_sphere_draw(fc_scan *scan) {
 
 /* ---- shadows ---- */
 
-bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
+FC_COLD bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window) {
   /* The hull of light and ball lies in a capsule and in a cone: the sphere misses it if it is clear of either. In units that
    * make everything 15 bits, with some units of slack for the cuts. a: to the sphere, b: to the ball. */
@@ -841,29 +946,33 @@ bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t
  * come within the radius.
  */
 static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
-  int64_t a[3], b[3], ab = 0, apart, out, in;
-  uint32_t aa = 0, bb = 0; /* below 3 * 2^30 */
-  uint64_t across, square, most = (uint64_t)form->u.sphere.radius;
+  int64_t ab = 0, apart;
+  int32_t a[3], b[3], out, in; /* a and b below 2^31 */
+  uint32_t aa = 0, bb = 0;     /* below 3 * 2^30 */
+  uint64_t across, square;
+  uint32_t most = (uint32_t)form->u.sphere.radius | 1;
   uint8_t i, bits, shift;
   for (i = 0; i < 3; i++) {
-    a[i] = form->u.sphere.center[i] - light[i];
-    b[i] = point[i] - light[i];
-    most |= fc_abs64(a[i]) | fc_abs64(b[i]);
+    int32_t l = (int32_t)light[i];
+    a[i] = (int32_t)form->u.sphere.center[i] - l;
+    b[i] = point[i] - l;
+    most |= fc_abs32(a[i]) | fc_abs32(b[i]);
   }
-  bits = fc_bits64(most);
+  bits = (uint8_t)(32 - fc_clz32(most));
   shift = bits > 15 ? (uint8_t)(bits - 15) : 0;
-  out = 2 * (int64_t)(error >> shift) + 8; /* sqrt(3) (1 + error + 1 + 1) + 1 < 2 error + 6.2, the error floored */
+  out = 2 * (int32_t)(error >> shift) + 8; /* sqrt(3) (1 + error + 1 + 1) + 1 < 2 error + 6.2, the error floored */
   if (out > 4096) return -1;
   for (i = 0; i < 3; i++) {
-    int32_t x = (int32_t)fc_floor_shift64(a[i], shift), y = (int32_t)fc_floor_shift64(b[i], shift);
+    int32_t x = fc_floor_shift32(a[i], shift), y = fc_floor_shift32(b[i], shift);
     aa += (uint32_t)(x * x);
     ab += x * y;
     bb += (uint32_t)(y * y);
   }
-  in = (form->u.sphere.radius >> shift) - out; /* below 2^15 */
-  out += form->u.sphere.radius >> shift;
+  in = (int32_t)((uint32_t)form->u.sphere.radius >> shift); /* below 2^15 */
+  out += in;
+  in += in - out;
   apart = (int64_t)aa + bb - 2 * ab; /* |a - b|^2 */
-  if (aa <= out * out || apart <= out * out) return -1;
+  if (aa <= (uint32_t)(out * out) || apart <= out * out) return -1;
   if (ab <= 0 || ab >= bb) return 0; /* the nearest point is an end */
   across = fc_mul32(aa, bb) - fc_mul32((uint32_t)ab, (uint32_t)ab); /* squared distance from the line, times bb; ab < bb */
   square = fc_mul32((uint32_t)(out * out), bb);                     /* 31 + 32 bits */
@@ -872,7 +981,7 @@ static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], co
   return across < square ? 1 : -1;
 }
 
-int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
   /* Light outside. With w = P - L, c = C - L and q = |c|^2 - r^2 > 0 the line meets the sphere iff (w.c)^2 >= w.w q and w.c > 0,
    * and it does so before P iff its foot does, w.c < w.w, or P is inside, w.w - 2 w.c + q < 0. Vectors are cut to 29 bits
    * and sums of three products by 2^30 more, to 30. */
@@ -930,12 +1039,12 @@ typedef struct ahead_form {
   int64_t at, dx, dy, margin;
 } ahead_form;
 
-static int64_t along_center(const int64_t center[3], const int32_t w[3]) {
+static FC_COLD int64_t along_center(const int64_t center[3], const int32_t w[3]) {
   return fc_smul64hi(center[0], w[0]) + fc_smul64hi(center[1], w[1]) + fc_smul64hi(center[2], w[2]);
 }
 
 /* 1: everywhere, -1: nowhere, 0: here and there. */
-static int8_t set_ahead(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], ahead_form *a) {
+static FC_COLD int8_t set_ahead(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], ahead_form *a) {
   /* 31 + 30 bits, less 32; floors and W's error: 3 (1 + columns + rows) + |C - L|_1 error / 2^32 */
   int64_t x, y, low, high;
   a->at = along_center(center, receiver->w.at);
@@ -957,25 +1066,27 @@ typedef struct shadow_test {
   bool doubted;      /* the row has pixels in `doubt` */
   ahead_form ahead;
   fc_window doubt;
+  const fc_planar *receiver;
   const fc_kind *kind;
   const fc_form *form;
 } shadow_test;
 
 /* Up to 8 pixels: those in the dark. */
-static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column,
+static FC_COLD uint32_t shade_some(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column,
                                        uint32_t bits, uint64_t f, uint64_t dx, uint64_t dxx) {
   uint32_t dark = 0, bit = 1;
   for (; bits != 0; bits >>= 1, bit <<= 1, column++, f += dx, dx += dxx) {
     bool sure = fc_to_i64(f) > test->dark;
     if (!(bits & 1) || fc_to_i64(f) < test->lit) continue;
-    if (sure && test->everywhere == 0) {
+    if (test->everywhere == 0) {
       int64_t a = test->ahead.at + test->ahead.dx * column + test->ahead.dy * row;
-      if (a < -test->ahead.margin) continue;
-      sure = a > test->ahead.margin;
+      if (a < -test->ahead.margin) continue; /* behind the light, whatever f is */
+      if (a <= test->ahead.margin) sure = false;
     }
     if (test->doubted && scan->x + column >= test->doubt.x0 && scan->x + column <= test->doubt.x1) sure = false;
     if (!sure)
-      sure = fc_scan_guesses(scan) ? fc_to_i64(f) > 0 : fc_scan_blocked(scan, row, column, test->kind, test->form);
+      sure = fc_scan_guesses(scan) ? fc_to_i64(f) > 0
+                                   : fc_planar_blocked(scan, test->receiver, row, column, test->kind, test->form);
     if (sure) dark |= bit;
   }
   return dark;
@@ -992,30 +1103,38 @@ static bool row_is_clear(const fc_cone *cone, int64_t lit) {
   return fc_mul32(slope, slope) >> 1 < fc_mul32(bend, below);
 }
 
+static FC_COLD uint64_t square_of(const int64_t v[3]) {
+  uint64_t sum = 0;
+  uint8_t i;
+  for (i = 0; i < 3; i++) sum += (uint64_t)(v[i] * v[i]);
+  return sum;
+}
+
 void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   const int64_t *c = form->u.sphere.center;
   int64_t center[3], radius = form->u.sphere.radius;
   fc_cone cone;
-  fc_window doubt;
   ahead_form ahead;
   uint16_t row;
   uint8_t i;
   int8_t everywhere;
   int64_t bulge;
+  bool known = false;
   shadow_test clear;
   for (i = 0; i < 3; i++) center[i] = c[i] - scan->frame->lights[i]; /* below 2^31 */
-  if (fc_i128_compare(fc_i128_dot(center, center), fc_i128_mul(radius, radius)) <= 0) {
+  /* squares below 2^62, three of them below 2^64 */
+  if (square_of(center) <= (uint64_t)(radius * radius)) {
     fc_planar_ask(scan, kind, form); /* the light inside the sphere, or on it */
     return;
   }
   everywhere = set_ahead(scan, receiver, center, &ahead);
-  if (everywhere < 0 || !fc_planar_faces_ball(scan, receiver, c, radius, &doubt)) return;
+  if (everywhere < 0) return;
   fc_cone_setup(&cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
   clear.dark = cone.error;
   clear.lit = -cone.error;
   clear.everywhere = everywhere;
   clear.ahead = ahead;
-  clear.doubt = doubt;
+  clear.receiver = receiver;
   clear.kind = kind;
   clear.form = form;
   /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|; f, below 2^62,
@@ -1027,7 +1146,11 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
     uint16_t column = 0;
     uint8_t word;
     if (row < scan->first_row || row_is_clear(&cone, clear.lit)) continue;
-    clear.doubted = scan->y + row >= doubt.y0 && scan->y + row <= doubt.y1;
+    if (!known) {
+      if (!fc_planar_faces_ball(scan, receiver, c, radius, &clear.doubt)) return;
+      known = true;
+    }
+    clear.doubted = scan->y + row >= clear.doubt.y0 && scan->y + row <= clear.doubt.y1;
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
       /* 32 columns on: f + 32 dx + 496 dxx */

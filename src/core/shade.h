@@ -8,9 +8,6 @@
 #include "fixcast/render.h"
 #include "space.h"
 
-/* The segment from a completed surface of camera space to a light. */
-void fc_surface_segment(const fc_surface *surface, const int64_t light[3], fc_segment *segment);
-
 /* Whether a light at a camera-space position reaches a completed surface. */
 bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const int64_t position[3]);
 

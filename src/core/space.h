@@ -64,17 +64,19 @@ int fc_scene_check_tables(const fc_scene *scene);
 /* Whether the open segment meets any primitive but `skip` (0xffff: none is skipped). */
 bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t skip);
 
+/* Meets a form with a ray: fc_kind.test, on an origin of its own. */
+uint8_t fc_form_meet(const fc_kind *kind, const fc_form *form, const int64_t origin[3], const int64_t direction[3], fc_root *root);
+
 /* A surface point: a primitive, a ray and the root where they meet. */
 typedef struct fc_surface {
   fc_cursor at; /* the primitive's table */
   fc_form form;
-  fc_prepared prepared;
   fc_root root;
   const int64_t *origin, *direction;
-  int64_t point[3];  /* rounded */
+  int64_t point[3];  /* rounded, within point_error */
   int64_t normal[3]; /* any length, not yet turned to the ray's side */
   uint16_t primitive;
-  bool point_valid;
+  uint32_t point_error; /* of each coordinate; UINT32_MAX: only the root says where the point is */
   bool inside;
 } fc_surface;
 

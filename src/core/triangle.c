@@ -305,16 +305,13 @@ static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
   return fc_side_of_point(segment, n, fc_i128_dot(n, form->u.triangle.vertex[0])) == light;
 }
 
-static FC_COLD bool facing(const fc_form *form, const fc_prepared *prepared, const fc_segment *segment) {
-  return fc_i128_sign(prepared->u.triangle.side) * side(form, segment->light) < 0;
+static FC_COLD bool facing(const fc_form *form, const fc_segment *segment) {
+  return side(form, fc_eye) * side(form, segment->light) > 0;
 }
 
-static bool normal(const fc_form *form, const fc_prepared *prepared, const int64_t point[3], int64_t n[3]) {
-  uint8_t i;
-  (void)form;
+static FC_COLD void normal(const fc_form *form, const int64_t point[3], int64_t n[3]) {
   (void)point;
-  for (i = 0; i < 3; i++) n[i] = prepared->u.triangle.normal[i];
-  return fc_i128_sign(prepared->u.triangle.side) > 0;
+  fc_face_normal(form, n);
 }
 
 static void weights(const fc_prepared *prepared, const int64_t direction[3], uint32_t weight_q30[3]) {

@@ -170,7 +170,7 @@ static int look(uint8_t rule, unsigned long *facing, unsigned long *dark) {
         memcpy(segment.light, frame.lights + 3 * i, sizeof segment.light);
         segment.root = &surface.root;
         segment.direction = d;
-        if (!fc_kind_of(&surface.at)->facing(&surface.form, &surface.prepared, &segment)) continue; /* exact: no valid point */
+        if (!fc_kind_of(&surface.at)->facing(&surface.form, &segment)) continue; /* exact: no valid point */
         (*facing)++;
         *dark += (lit >> i & 1) == 0;
       }

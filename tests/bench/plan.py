@@ -33,7 +33,7 @@ def plan():
     todo += each(SPHERES, ("m0plus", "m3", "m4f"), ("float",)) + each(SPHERES, ("m0plus", "m3"), ("q16",))
     todo += each(SPHERES, ("m4f",), ("scan_float",))
     todo += each(LIT_FIELDS + FLAT_FIELDS + CULLED_FIELDS, ("m0plus", "m3"), ("fixcast",))
-    todo += each(FLAT_FIELDS, ("m0plus", "m3"), ("fixed",)) + each(FLAT_FIELDS, ("m4f",), ("float",))
+    todo += each(FLAT_FIELDS, ("m0plus", "m3"), ("fixed",)) + each(FLAT_FIELDS, ("m4f",), ("fixcast", "float"))
     todo += each(("s1", "s1r", "s2", "s4", "s5s8", "s5t10"), ("m0plus", "m3"), ("fixcast",), SIZES)
     todo += each(("s1", "s1r", "s2", "s4"), ("rp2040",), ("fixcast",), ((240, 240),))
     todo += each(("s1",), ("rp2040",), ("fixcast", "q16", "float"))
