@@ -6,10 +6,11 @@
 #include "scan_kinds.h"
 #include "view.h"
 
-/* Screen coordinates kept in 16 bits while the bins are filled, x in steps of 2: beyond the guard band, which bit 0 tells; not in
- * front of the eye. */
+/* Screen coordinates kept in 16 bits while the bins are filled, in steps of 2: beyond the guard band, which bit 0 tells; not in front of
+ * the eye. USED: a corner of some triangle in a bin. */
 #define SIDE INT32_C(32766)
-#define BEHIND UINT32_C(0x80008001)
+#define USED UINT32_C(0x10000)
+#define BEHIND UINT32_C(0x80018001)
 
 uint32_t fc_recip_q63(uint32_t m) {
   /* r = 2^31 / m16 for m16 = m / 2^16 rounded: within (1 + 2^-1) 2^-15 of 2^47 / m, 17 bits. The rest 2^47 - m r is below
@@ -112,17 +113,14 @@ static void see_shortly(const fc_placed_mesh *mesh, fc_placed_vertex *v) {
   exponent = fc_seen_exponent(seen);
   x = short_coordinate(mesh, v->p[0], mantissa, exponent);
   y = short_coordinate(mesh, -v->p[1], mantissa, exponent);
-  v->seen = (uint32_t)y << 16 | ((uint32_t)x & 0xfffeu) | (x == SIDE || x == -SIDE || y == SIDE || y == -SIDE);
+  v->seen = ((uint32_t)y & 0xfffeu) << 16 | ((uint32_t)x & 0xfffeu) | (x == SIDE || x == -SIDE || y == SIDE || y == -SIDE);
 }
 
 static int32_t short_x(uint32_t seen) { return 2 * fc_floor_shift32(fc_to_i32(seen << 16), 17); }
-static int32_t short_y(uint32_t seen) { return fc_floor_shift32(fc_to_i32(seen), 16); }
+static int32_t short_y(uint32_t seen) { return 2 * fc_floor_shift32(fc_to_i32(seen), 17); }
 
 static void see_fully(const fc_placed_mesh *mesh, fc_placed_vertex *v) {
-  if (v->seen & 1)
-    v->seen = 0;
-  else
-    v->seen = see(mesh, (uint32_t)v->p[2]);
+  v->seen = (v->seen & (USED | 1)) == USED ? see(mesh, (uint32_t)v->p[2]) : 0;
 }
 
 /* What turns short coordinates into the pixels whose centres may lie between them. */
@@ -247,6 +245,9 @@ void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *m
       shift++;
       level++;
     }
+    vertices[t.vertex[0]].seen = a | USED;
+    vertices[t.vertex[1]].seen = b | USED;
+    vertices[t.vertex[2]].seen = c | USED;
     head = &mesh->head[fc_mesh_level(level) + (top >> shift)];
     next[i] = *head;
     *head = i;
