@@ -63,17 +63,28 @@ def apart(values, gap):
     return result
 
 
+def clear_of(spots, i, width, gap):
+    """The height of a text of this width right of spot i that passes above or below the spots behind it."""
+    x, y = spots[i]
+    for other_x, other_y in spots:
+        if 0 < other_x - x < width and abs(other_y - y) < gap:
+            return other_y + gap if y > other_y else other_y - gap
+    return y
+
+
 def label(axes, items, gap=13, right=9):
     """Texts right of points (x, y, text, colour), moved in height where they would overlap."""
     axes.figure.canvas.draw()
+    scale = axes.figure.dpi / 72
     spots = [axes.transData.transform((x, y)) for x, y, _, _ in items]
+    heights = [clear_of(spots, i, (right + 6 * len(item[2])) * scale, gap * scale) for i, item in enumerate(items)]
     columns = {}
     for i, (x, _) in enumerate(spots):
         columns.setdefault(round(x / 90), []).append(i)
     for members in columns.values():
-        for i, height in zip(members, apart([spots[i][1] for i in members], gap * axes.figure.dpi / 72)):
+        for i, height in zip(members, apart([heights[i] for i in members], gap * scale)):
             x, y, text, colour = items[i]
-            moved = (height - spots[i][1]) * 72 / axes.figure.dpi
+            moved = (height - spots[i][1]) / scale
             axes.annotate(text, (x, y), (right, moved), textcoords="offset points", va="center", fontsize=9,
                           color=colour, annotation_clip=False, zorder=2,
                           bbox={"boxstyle": "square,pad=0.12", "fc": "white", "ec": "none"},
@@ -140,8 +151,8 @@ def speed(rows, place, scene, error_of, name, unit):
              "exact, fast, half, interlaced: profiles of fixcast;\nstrong marks, as they are the choices.\n"
              "interlaced, hollow: what a field costs, half the rows;\nits errors are a still picture's.\n"
              "Colours are judged at 8 bits a channel, where fast is\nas exact; at 16 bits a pixel it is within 4/255.\n\n"
-             "rays: its definition, a ray a pixel\nfloat, double: plain C\nq16: Q16.16, 64-bit products\n"
-             "scan float: our algorithm in hardware float", va="top", fontsize=10, transform=key.transAxes)
+             "rays: its definition, a ray a pixel\nfloat, double: plain C, of meshes a rasteriser\nq16: Q16.16, 64-bit products\n"
+             "scan float: our algorithm in hardware float\nfixed: an integer rasteriser", va="top", fontsize=10, transform=key.transAxes)
     save(figure, place, name)
 
 
@@ -352,5 +363,6 @@ def draw(rows, place):
         for scene in ("s1", "s1r"):
             speed(rows, place, scene, bench.wrong, f"wrong-{scene}", "wrong ids and shadows, of 16384 pixels")
             speed(rows, place, scene, colour_error, f"colour-{scene}", "colour error, rmse, 8-bit levels")
+        speed(rows, place, "s2", bench.wrong, "wrong-s2", "wrong ids, of 16384 pixels")
         for plot in (stage_bars, primitives, sizes, memory, wire_bars, bar_chart):
             plot(rows, place)

@@ -57,6 +57,10 @@ S1r is S1 seen askew, without a level horizon or round numbers.
 
 ![S1r: instructions a pixel against colour error]({plots}/colour-s1r.svg)
 
+S2 is 1016 triangles, unlit: the rivals are rasterisers.
+
+![S2: instructions a pixel against wrong pixels]({plots}/wrong-s2.svg)
+
 {speed}
 
 ## Cost by stage
@@ -124,7 +128,7 @@ def missed_line(judged):
 
 def speed_table(rows):
     lines = []
-    for scene in ("s1", "s1r"):
+    for scene in ("s1", "s1r", "s2"):
         for target in bench.TARGETS:
             for row in bench.find(rows, scene=scene, target=target):
                 lines.append((bench.SCENES[scene], bench.TARGETS[target], bench.name_of(row),

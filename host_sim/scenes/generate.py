@@ -219,13 +219,34 @@ def s5_field(cells, lit):
     return lines
 
 
+def s5_culled(cells):
+    """A flat pyramid seen from above, whose lower side is a height field: all of that is turned away."""
+    lines = header(f"S5, culled triangles: S1's camera and a pyramid with {cells} x {cells} cells on its lower side.")
+    lines += LEVEL_CAMERA + [SKY, "#fc: ambient 1", matte(rgb(*GROUND)), "#fc: object 1"]
+    u = draws()
+    rows = [[(Fraction(8 * i, cells) - 4, -Fraction(1, 10) - Fraction(1, 400) * next(u), -2 - Fraction(10 * j, cells))
+             for i in range(cells + 1)] for j in range(cells + 1)]
+    faces = [face[::-1] for face in grid_faces(rows)]
+    # four corners around the net, clockwise from above as its sides
+    foot = [(x, 0, z) for x, z in ((-Fraction(9, 2), -Fraction(25, 2)), (Fraction(9, 2), -Fraction(25, 2)),
+                                   (Fraction(9, 2), -Fraction(3, 2)), (-Fraction(9, 2), -Fraction(3, 2)))]
+    sides = (rows[-1], [row[-1] for row in rows[::-1]], rows[0][::-1], [row[0] for row in rows])
+    top = (0, Fraction(1, 2), -7)
+    for a, b, side in zip(foot, foot[1:] + foot[:1], sides):
+        faces += [(a, q, p) for p, q in zip(side, side[1:])] + [(a, b, side[-1]), (b, a, top)]
+    for face in faces:
+        lines += plain_face(face)
+    return lines
+
+
 def bench_only():
-    """{name: lines} of the scenes for tests/bench; of S5: spheres, lit triangles, flat ones."""
+    """{name: lines} of the scenes for tests/bench; of S5: spheres, triangles: lit, flat, culled."""
     scenes = {"s1b": s1b(), "s4": s4()}
     scenes.update((f"s5s{count}", s5_spheres(count)) for count in (1, 8, 64, 512))
     for cells in (5, 10, 21, 45):
         scenes[f"s5t{cells}"] = s5_field(cells, lit=True)
         scenes[f"s5f{cells}"] = s5_field(cells, lit=False)
+        scenes[f"s5c{cells}"] = s5_culled(cells)
     return scenes
 
 

@@ -5,13 +5,18 @@
 #include <stdint.h>
 
 /* Inner loops stay functions of their own: a caller's variables would crowd them out of the registers. What runs once a
- * frame or once in a thousand pixels is kept small rather than fast, and out of the way. */
+ * frame or once in a thousand pixels is kept small rather than fast, and out of the way; so is what only such functions
+ * call, but for the loops that are hot. */
 #if defined(__GNUC__)
 #define FC_NOINLINE __attribute__((noinline))
+#define FC_HOT __attribute__((noinline, hot))
 #define FC_COLD __attribute__((noinline, cold))
+#define FC_INLINE static inline __attribute__((always_inline)) /* what inner loops are made of */
 #else
 #define FC_NOINLINE
+#define FC_HOT
 #define FC_COLD
+#define FC_INLINE static inline
 #endif
 
 /* Leading zeros of a non-zero word. */

@@ -4,7 +4,7 @@
 #include "quick.h"
 
 /* f = W' M W with M = C C' - (|C|^2 - r^2) I: on the diagonal r^2 less the squares of the other two. */
-static void matrix(const int64_t c[3], int64_t r, int64_t m[3][3]) {
+static FC_COLD void matrix(const int64_t c[3], int64_t r, int64_t m[3][3]) {
   /* 31-bit factors: squares below 2^62, sums of two below 2^63 */
   int64_t square[3], rr = fc_smul32((int32_t)r, (int32_t)r);
   uint8_t i;
@@ -17,7 +17,7 @@ static void matrix(const int64_t c[3], int64_t r, int64_t m[3][3]) {
 }
 
 /* M W / 2^32: entries below 2^62, W within 2^30: each term below 2^60, the sum below 2^62; floors: up to 3 short. */
-static void apply(const int64_t m[3][3], const int32_t w[3], int64_t u[3]) {
+static FC_COLD void apply(const int64_t m[3][3], const int32_t w[3], int64_t u[3]) {
   uint8_t i, j;
   for (i = 0; i < 3; i++) {
     u[i] = 0;
@@ -27,7 +27,7 @@ static void apply(const int64_t m[3][3], const int32_t w[3], int64_t u[3]) {
 }
 
 /* W.U / 2^32: terms below 2^60. */
-static int64_t dot(const int32_t w[3], const int64_t u[3]) {
+static FC_COLD int64_t dot(const int32_t w[3], const int64_t u[3]) {
   int64_t sum = 0;
   uint8_t i;
   for (i = 0; i < 3; i++)
@@ -35,7 +35,7 @@ static int64_t dot(const int32_t w[3], const int64_t u[3]) {
   return sum;
 }
 
-void fc_cone_setup(fc_cone *cone, const int64_t center[3], int64_t radius, uint8_t center_error, const fc_sheaf *sheaf,
+FC_COLD void fc_cone_setup(fc_cone *cone, const int64_t center[3], int64_t radius, uint8_t center_error, const fc_sheaf *sheaf,
                    uint16_t columns, uint16_t rows) {
   int64_t m[3][3], u[3], ux[3], uy[3], xx, yy, steps = (int64_t)columns + rows + 1;
   uint64_t largest = 0, center_reach = 0;

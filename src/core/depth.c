@@ -24,17 +24,17 @@ FC_COLD void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
 FC_COLD uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root) {
   uint8_t e_bits = frame->depth_exponent_bits, m_bits = (uint8_t)(16 - e_bits);
   int32_t octaves = INT32_C(1) << e_bits, octave;
-  fc_num z = fc_num_mul(fc_root_value(root), fc_num_from_u64((uint64_t)frame->view.focal, 0));
-  fc_num v = fc_num_div(fc_num_from_u64(frame->depth_near, 0), z);
-  uint32_t mantissa = (uint32_t)(v.m >> (62 - m_bits)), code; /* its highest bit included */
-  int64_t over = fc_to_i64((v.m << (m_bits + 2)) - (UINT64_C(1) << 63)); /* what the next step is near to, less its half */
-  int8_t up = fc_sign64(over);
-  octave = v.e + 62 + octaves; /* 1/2 <= v < 1 is the highest, octaves - 1 */
+  fc_quick z = fc_quick_mul(fc_root_quick(root), fc_quick_from((uint64_t)frame->view.focal, 0));
+  fc_quick v = fc_quick_mul(fc_quick_from(frame->depth_near, 0), fc_quick_recip(z));
+  uint32_t mantissa = v.m >> (31 - m_bits), code; /* its highest bit included */
+  int32_t over = fc_to_i32((v.m << (m_bits + 1)) - (UINT32_C(1) << 31)); /* the fraction of a step, less its half */
+  int8_t up = over < 0 ? -1 : 1;
+  octave = v.e + 31 + octaves; /* 1/2 <= v < 1 is the highest, octaves - 1 */
   if (octave >= octaves) return UINT16_MAX;
   if (octave < 0) return 1;
   code = ((uint32_t)octave << m_bits) + mantissa - (UINT32_C(1) << m_bits);
-  /* v is within 2^-57, less than 2^22 of that. Where it is just off a step, either step is rounded to the same code. */
-  if (fc_abs64(over) >> 23 == 0) {
+  /* v is within 2^-24, 2^8 units of its mantissa. Where it is just off a step, either step is rounded to the same code. */
+  if (fc_abs32(over) >> (m_bits + 9) == 0) {
     /* near / (t F) against (mantissa + 1/2) 2^(octave - octaves - m_bits), cleared of fractions: 32 + 29 bits against 18 + 30 */
     const fc_quick no_value = {0, 0};
     fc_wide w;

@@ -219,62 +219,89 @@ static bool short_slope(int64_t v, uint32_t reciprocal, int16_t exponent, uint32
   return true;
 }
 
+#define SWAP(a, b)  \
+  do {              \
+    int32_t t = a;  \
+    a = b;          \
+    b = t;          \
+  } while (0)
+
+uint8_t fc_small_edges(fc_small_facet *facet, const fc_frame *frame, int8_t hidden_side) {
+  const fc_corners *corners = facet->corners;
+  const fc_tile *tile = facet->tile;
+  const uint8_t fraction = corners->fraction, down = (uint8_t)(fraction - 16);
+  const uint32_t close = (11u >> down) + 2;
+  const int32_t half = INT32_C(1) << (down - 1);
+  const int32_t left = (2 * tile->x0 + 1 - frame->width) * (INT32_C(1) << (fraction - 1)) - half;
+  const int32_t top = (2 * tile->y0 + 1 - frame->height) * (INT32_C(1) << (fraction - 1)) - half;
+  int32_t x0, x1, x2, y0, y1, y2, area;
+  y0 = fc_floor_shift32(corners->y[0] - top, down);
+  y1 = fc_floor_shift32(corners->y[1] - top, down);
+  y2 = fc_floor_shift32(corners->y[2] - top, down);
+  /* Rows whose centre is too near a corner's height to tell on which side it is: 11 / 2^down + 1/2. */
+  if ((((uint32_t)y0 + close) & 0xffffu) <= 2 * close || (((uint32_t)y1 + close) & 0xffffu) <= 2 * close ||
+      (((uint32_t)y2 + close) & 0xffffu) <= 2 * close)
+    return FC_FACET_UNCLEAR;
+  x0 = fc_floor_shift32(corners->x[0] - left, down);
+  x1 = fc_floor_shift32(corners->x[1] - left, down);
+  x2 = fc_floor_shift32(corners->x[2] - left, down);
+  facet->side = longest_side(facet->box);
+  {
+    /* as in fc_facet_edges */
+    uint32_t margin = 4 * facet->side + 4;
+    facet->margin = (int32_t)((margin >> 1) + ((margin * 11) >> down) + 4 + ((242u * 4) >> down));
+  }
+  /* Differences below 2^22, products below 2^27. Each difference is off by 2 e and no longer than `side`, e as in fc_facet_edges:
+   * 8 e side + 8 e^2, and two floors, are less than two margins. */
+  area = fc_product16(x1 - x0, y2 - y0) - fc_product16(x2 - x0, y1 - y0);
+  if (area <= 2 * facet->margin && area >= -2 * facet->margin) return FC_FACET_UNCLEAR;
+  if (hidden_side != 0 && (area > 0) == (hidden_side < 0)) return FC_FACET_HIDDEN;
+  /* from top to bottom; clockwise then (as y runs down): the middle corner is on the right */
+  facet->left = area < 0;
+  if (y0 > y1) {
+    SWAP(x0, x1);
+    SWAP(y0, y1);
+    facet->left = !facet->left;
+  }
+  if (y1 > y2) {
+    SWAP(x1, x2);
+    SWAP(y1, y2);
+    facet->left = !facet->left;
+    if (y0 > y1) {
+      SWAP(x0, x1);
+      SWAP(y0, y1);
+      facet->left = !facet->left;
+    }
+  }
+  facet->x[0] = x0;
+  facet->x[1] = x1;
+  facet->x[2] = x2;
+  facet->y[0] = y0;
+  facet->y[1] = y1;
+  facet->y[2] = y2;
+  return FC_FACET_SEEN;
+}
+
 /* g off / 2^fraction, floors; off below 2^6 pixels. */
 static uint32_t moved(uint32_t g, int32_t off, uint8_t fraction) {
   return g * (uint32_t)fc_floor_shift32(off, fraction) + (uint32_t)fc_smulhi32(fc_to_i32(g), (uint32_t)off << (32 - fraction));
 }
 
-uint8_t fc_facet_small(fc_small_facet *facet, const fc_frame *frame, const fc_placed_mesh *mesh, const fc_corners *corners,
-                       const fc_tile *box, const fc_tile *tile, int8_t hidden_side) {
-  const uint8_t fraction = corners->fraction, down = (uint8_t)(fraction - 16);
-  const uint32_t side = longest_side(box);
+bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_placed_mesh *mesh) {
+  const fc_corners *corners = facet->corners;
+  const fc_tile *box = facet->box, *tile = facet->tile;
+  const uint8_t fraction = corners->fraction;
   const int32_t x1 = corners->x[1] - corners->x[0], x2 = corners->x[2] - corners->x[0];
   const int32_t y1 = corners->y[1] - corners->y[0], y2 = corners->y[2] - corners->y[0];
   int64_t area = fc_smul32(x1, y2) - fc_smul32(x2, y1);
-  int32_t left = (2 * tile->x0 + 1 - frame->width) * (INT32_C(1) << (fraction - 1));
-  int32_t top = (2 * tile->y0 + 1 - frame->height) * (INT32_C(1) << (fraction - 1));
-  int32_t half = INT32_C(1) << (down - 1), p1, p2;
-  bool flip;
-  uint32_t margin, close, p[3], steep, reciprocal, low, high;
-  uint8_t i, most;
+  const int32_t left = (2 * tile->x0 + 1 - frame->width) * (INT32_C(1) << (fraction - 1));
+  const int32_t top = (2 * tile->y0 + 1 - frame->height) * (INT32_C(1) << (fraction - 1));
+  int32_t p1, p2;
+  uint32_t p[3], steep, reciprocal, low = UINT32_MAX, high = 0;
+  uint8_t i, most = fc_seen_exponent(corners->seen[0]);
   int16_t exponent;
-  /* as in fc_facet_edges; the sum is less than 2^45 */
-  if (fc_high_word((int64_t)(fc_abs64(area) >> fraction)) == 0 &&
-      (uint32_t)(fc_abs64(area) >> fraction) <= side * (8 * FC_CORNER_ERROR) + 1)
-    return FC_FACET_UNCLEAR;
-  if (hidden_side != 0 && (area > 0) == (hidden_side < 0)) return FC_FACET_HIDDEN;
-
-  /* Rows whose centre is too near a corner's height to tell on which side it is: 11 / 2^down + 1/2. */
-  close = (11u >> down) + 2;
-  flip = area < 0;
-  for (i = 0; i < 3; i++) {
-    facet->x[i] = fc_floor_shift32(corners->x[i] - left + half, down);
-    facet->y[i] = fc_floor_shift32(corners->y[i] - top + half, down);
-    if ((((uint32_t)facet->y[i] + close) & 0xffffu) <= 2 * close) return FC_FACET_UNCLEAR;
-  }
-  for (i = 0; i < 3; i++) {
-    /* 0 and 1, 1 and 2, 0 and 1 */
-    int32_t *x = facet->x + (i == 1), *y = facet->y + (i == 1);
-    if (y[0] > y[1]) {
-      int32_t t = x[0];
-      x[0] = x[1];
-      x[1] = t;
-      t = y[0];
-      y[0] = y[1];
-      y[1] = t;
-      flip = !flip;
-    }
-  }
-  /* from top to bottom clockwise (as y runs down): the middle corner is on the right */
-  facet->left = flip;
-  margin = 4 * side + 4;
-  facet->margin = (int32_t)((margin >> 1) + ((margin * 11) >> down) + 4 + ((242u * 4) >> down));
-
-  most = fc_seen_exponent(corners->seen[0]);
   for (i = 1; i < 3; i++)
     if (fc_seen_exponent(corners->seen[i]) > most) most = fc_seen_exponent(corners->seen[i]);
-  low = UINT32_MAX;
-  high = 0;
   for (i = 0; i < 3; i++) {
     p[i] = fc_mulhi32(fc_seen_mantissa(corners->seen[i]), mesh->depth) >> (1 + most - fc_seen_exponent(corners->seen[i]));
     if (p[i] < low) low = p[i];
@@ -287,22 +314,22 @@ uint8_t fc_facet_small(fc_small_facet *facet, const fc_frame *frame, const fc_pl
     p1 = -p1;
     p2 = -p2;
   }
-  /* 1 / |area| = reciprocal 2^(-63 - exponent) */
+  /* 1 / |area| = reciprocal 2^(-63 - exponent); the area is not 0, as the edges have told */
   reciprocal = fc_recip_q63(normal_of(fc_abs64(area), &exponent));
   exponent = (int16_t)(fraction - 31 - exponent);
   if (!short_slope(fc_smul32(p1, y2) - fc_smul32(p2, y1), reciprocal, exponent, &facet->px) ||
       !short_slope(fc_smul32(p2, x1) - fc_smul32(p1, x2), reciprocal, exponent, &facet->py))
-    return FC_FACET_UNCLEAR;
+    return false;
   facet->p = p[0] + moved(facet->px, left - corners->x[0], fraction) + moved(facet->py, top - corners->y[0], fraction);
   /* as in fc_facet_depth; slopes are rounded to 1/2, over `side` columns and rows; at the centre at most p + steep * reach */
   steep = fc_abs32(fc_to_i32(facet->px)) + fc_abs32(fc_to_i32(facet->py)) + 2;
   low -= 2 < low ? 2 : low;
-  facet->error = 2 + 16 + 1 + (steep >> (fraction - 1)) + side + 4 +
-                 fc_mulhi32(steep, (side + 1 + (uint32_t)(furthest(box->x0, box->x1, frame->width) +
-                                                          furthest(box->y0, box->y1, frame->height)) / 2) << 5) + 1;
+  facet->error = 2 + 16 + 1 + (steep >> (fraction - 1)) + facet->side + 4 +
+                 fc_mulhi32(steep, (facet->side + 1 + (uint32_t)(furthest(box->x0, box->x1, frame->width) +
+                                                                 furthest(box->y0, box->y1, frame->height)) / 2) << 5) + 1;
   facet->least = low > facet->error ? low - facet->error : 0;
   facet->most = high + facet->error + 2;
-  return FC_FACET_SEEN;
+  return true;
 }
 
 /* v 2^(62 - bits). */

@@ -46,14 +46,17 @@ bool fc_facet_depth(fc_facet *facet, const fc_frame *frame, const fc_placed_mesh
 /* Both from the prepared form: no vertex need be in front of the eye. False when the triangle is seen edge-on. */
 bool fc_facet_exact(fc_facet *facet, const fc_frame *frame, const fc_prepared *prepared, const fc_tile *tile);
 
-/* The same for a triangle within FC_SMALL pixels a side, in 32 bits: near / z = p / 2^(30 + drop), p between least and most inside. */
+/* The same for a triangle within FC_SMALL pixels a side, in 32 bits, and for the whole of it: most have few pixels. */
 #define FC_SMALL 32
 
 typedef struct fc_small_facet {
+  const fc_corners *corners;
+  const fc_tile *box, *tile;
   int32_t x[3], y[3]; /* corners from top to bottom, from the tile's first pixel, in 2^-16 pixels, below 2^22 */
+  uint32_t side;      /* the longer side of its box, and 2 pixels */
   int32_t margin;     /* an edge form of corners a, b is off by less than this: (P - a) x (b - a), in pixels by 2^-16 pixels */
   bool left;          /* the middle corner is on the left of the other two */
-  uint32_t p, px, py;
+  uint32_t p, px, py; /* near / z = p / 2^(30 + drop), p between least and most inside */
   uint32_t error, least, most;
   int16_t drop;
 } fc_small_facet;
@@ -71,8 +74,11 @@ static inline int32_t fc_product16(int32_t a, int32_t b) {
 #endif
 }
 
-uint8_t fc_facet_small(fc_small_facet *facet, const fc_frame *frame, const fc_placed_mesh *mesh, const fc_corners *corners,
-                       const fc_tile *box, const fc_tile *tile, int8_t hidden_side);
+/* Edges, from corners, box and tile. */
+uint8_t fc_small_edges(fc_small_facet *facet, const fc_frame *frame, int8_t hidden_side);
+
+/* near / z, after the edges; false when it is too steep. */
+bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_placed_mesh *mesh);
 
 /* Cuts *first .. *last to the columns below `columns` where a form at + dx column is at least `bound`, by bisection. */
 void fc_facet_cut(int32_t at, int32_t dx, int32_t bound, uint16_t columns, int32_t *first, int32_t *last);

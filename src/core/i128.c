@@ -39,6 +39,8 @@ FC_COLD fc_i128 fc_i128_dot(const int64_t a[3], const int64_t b[3]) {
   return r;
 }
 
+FC_COLD int8_t fc_i128_compare(fc_i128 a, fc_i128 b) { return fc_i128_sign(fc_i128_sub(a, b)); }
+
 FC_COLD fc_i128 fc_i128_shift_left(fc_i128 a, uint8_t s) {
   if (s >= 64) {
     a.hi = a.lo;

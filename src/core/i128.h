@@ -43,7 +43,7 @@ static inline int8_t fc_i128_sign(fc_i128 a) {
 static inline fc_i128 fc_i128_abs(fc_i128 a) { return fc_i128_sign(a) < 0 ? fc_i128_neg(a) : a; }
 
 /* -1, 0 or 1 as a < b, a == b, a > b. */
-static inline int8_t fc_i128_compare(fc_i128 a, fc_i128 b) { return fc_i128_sign(fc_i128_sub(a, b)); }
+int8_t fc_i128_compare(fc_i128 a, fc_i128 b);
 
 /* Exact products: 64 x 64 bits -> 128, unsigned and signed. */
 fc_i128 fc_i128_mul_u64(uint64_t a, uint64_t b);

@@ -6,9 +6,10 @@
 #include "scan_kinds.h"
 #include "view.h"
 
-/* Screen coordinates kept in 16 bits while the bins are filled: beyond the guard band; not in front of the eye. */
+/* Screen coordinates kept in 16 bits while the bins are filled, x in steps of 2: beyond the guard band, which bit 0 tells; not in
+ * front of the eye. */
 #define SIDE INT32_C(32766)
-#define BEHIND UINT32_C(0x80008000)
+#define BEHIND UINT32_C(0x80008001)
 
 uint32_t fc_recip_q63(uint32_t m) {
   /* r = 2^31 / m16 for m16 = m / 2^16 rounded: within (1 + 2^-1) 2^-15 of 2^47 / m, 17 bits. The rest 2^47 - m r is below
@@ -97,6 +98,7 @@ static int32_t short_coordinate(const fc_placed_mesh *mesh, int32_t a, uint32_t 
 static void see_shortly(const fc_placed_mesh *mesh, fc_placed_vertex *v) {
   uint32_t seen, mantissa;
   uint8_t exponent;
+  int32_t x, y;
   if (v->p[2] <= 0) {
     v->seen = BEHIND;
     return;
@@ -104,16 +106,16 @@ static void see_shortly(const fc_placed_mesh *mesh, fc_placed_vertex *v) {
   seen = see(mesh, (uint32_t)v->p[2]);
   mantissa = fc_seen_mantissa(seen);
   exponent = fc_seen_exponent(seen);
-  v->seen = (uint32_t)short_coordinate(mesh, -v->p[1], mantissa, exponent) << 16 |
-            ((uint32_t)short_coordinate(mesh, v->p[0], mantissa, exponent) & 0xffffu);
+  x = short_coordinate(mesh, v->p[0], mantissa, exponent);
+  y = short_coordinate(mesh, -v->p[1], mantissa, exponent);
+  v->seen = (uint32_t)y << 16 | ((uint32_t)x & 0xfffeu) | (x == SIDE || x == -SIDE || y == SIDE || y == -SIDE);
 }
 
-static int32_t short_x(uint32_t seen) { return fc_floor_shift32(fc_to_i32(seen << 16), 16); }
+static int32_t short_x(uint32_t seen) { return 2 * fc_floor_shift32(fc_to_i32(seen << 16), 17); }
 static int32_t short_y(uint32_t seen) { return fc_floor_shift32(fc_to_i32(seen), 16); }
 
 static void see_fully(const fc_placed_mesh *mesh, fc_placed_vertex *v) {
-  int32_t x = short_x(v->seen), y = short_y(v->seen);
-  if (v->seen == BEHIND || x == SIDE || x == -SIDE || y == SIDE || y == -SIDE)
+  if (v->seen & 1)
     v->seen = 0;
   else
     v->seen = see(mesh, (uint32_t)v->p[2]);
@@ -125,12 +127,12 @@ typedef struct lines {
 } lines;
 
 static lines lines_of(uint16_t size, uint8_t point) {
-  /* a short coordinate is short by less than 1, and its pixel by less than 1; the centre of pixel i is (2 i + 1 - size) / 2 from the
+  /* a short coordinate is short by less than 2, and its pixel by less than 1; the centre of pixel i is (2 i + 1 - size) / 2 from the
    * middle */
   lines r;
   int32_t middle = ((int32_t)size - 1) * (INT32_C(1) << (point - 1));
   r.before = middle - 2 + (INT32_C(1) << point) - 1;
-  r.after = middle + 3;
+  r.after = middle + 4;
   r.last = size - 1;
   return r;
 }
@@ -159,19 +161,26 @@ typedef struct glance {
     if (c > high) high = c;      \
   } while (0)
 
+/* Whether corners within the guard band say that the front is turned away. */
+static inline bool averted(uint32_t a, uint32_t b, uint32_t c) {
+  /* In units of 2 a coordinate is short by little more than 1, so a difference is off by less than 2, and below 2^15. y runs down:
+   * the front is clockwise. */
+  const int32_t ax = fc_floor_shift32(fc_to_i32(a << 16), 17), ay = fc_floor_shift32(fc_to_i32(a), 17);
+  const int32_t ux = fc_floor_shift32(fc_to_i32(b << 16), 17) - ax, uy = fc_floor_shift32(fc_to_i32(b), 17) - ay;
+  const int32_t vx = fc_floor_shift32(fc_to_i32(c << 16), 17) - ax, vy = fc_floor_shift32(fc_to_i32(c), 17) - ay;
+  /* two products below 2^30 */
+  const int32_t area = ux * vy - vx * uy;
+  return area > 0 && (uint32_t)area > 2 * (fc_abs32(ux) + fc_abs32(uy) + fc_abs32(vx) + fc_abs32(vy)) + 8;
+}
+
 /* Rows of a triangle that may be seen; false when it is not. */
-static bool rows_of(const glance *g, uint32_t a, uint32_t b, uint32_t c, uint8_t cull, int32_t *top, int32_t *bottom) {
+static inline bool rows_of(const glance *g, uint32_t a, uint32_t b, uint32_t c, int32_t *top, int32_t *bottom) {
   int32_t ax = short_x(a), bx = short_x(b), cx = short_x(c), ay = short_y(a), by = short_y(b), cy = short_y(c);
   int32_t left, right;
-  SORT(ax, bx, cx, left, right);
   SORT(ay, by, cy, *top, *bottom);
-  if (cull && (uint32_t)(right - left) < 0x4000 && (uint32_t)(*bottom - *top) < 0x4000 && left > -SIDE && right < SIDE &&
-      *top > -SIDE && *bottom < SIDE) {
-    /* 14 + 14 bits, two products; each coordinate off by less than 2. y runs down: the front is clockwise */
-    int32_t area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
-    if (area > 8 * (right - left + *bottom - *top) + 32) return false;
-  }
-  return pixels_of(&g->y, g->point, top, bottom) && pixels_of(&g->x, g->point, &left, &right);
+  if (!pixels_of(&g->y, g->point, top, bottom)) return false;
+  SORT(ax, bx, cx, left, right);
+  return pixels_of(&g->x, g->point, &left, &right);
 }
 
 bool fc_triangle_casts(const fc_group *group, uint16_t index) {
@@ -224,8 +233,9 @@ void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *m
     c = vertices[t.vertex[2]].seen;
     if (a == BEHIND || b == BEHIND || c == BEHIND) {
       if (vertices[t.vertex[0]].p[2] <= 0 && vertices[t.vertex[1]].p[2] <= 0 && vertices[t.vertex[2]].p[2] <= 0) continue;
-    } else if (!rows_of(&g, a, b, c, shapes->cull, &top, &bottom)) {
-      continue;
+    } else {
+      if (shapes->cull && ((a | b | c) & 1) == 0 && averted(a, b, c)) continue;
+      if (!rows_of(&g, a, b, c, &top, &bottom)) continue;
     }
     while ((bottom - top) >> shift != 0) {
       shift++;

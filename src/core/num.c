@@ -4,42 +4,39 @@
 #include "bits.h"
 #include "quick.h"
 
-FC_COLD fc_num fc_num_from_u64(uint64_t v, int32_t exponent) {
-  fc_num r = {0, 0};
-  if (v >> 63) {
-    r.m = v >> 1;
-    r.e = exponent + 1;
-  } else if (v != 0) {
-    uint8_t s = (uint8_t)(fc_clz64(v) - 1);
-    r.m = v << s;
-    r.e = exponent - s;
-  }
-  return r;
-}
-
-FC_COLD fc_num fc_num_from_abs(fc_i128 v) {
-  fc_i128 a = fc_i128_abs(v);
+FC_COLD void fc_num_set(fc_num *r, uint64_t v, int32_t exponent) {
   uint8_t s;
-  if (a.hi == 0) return fc_num_from_u64(a.lo, 0);
-  /* a.hi < 2^63, so the shift keeps at least 64 significant bits in hi:lo before the cut */
-  s = fc_clz64(a.hi);
-  a = fc_i128_shift_left(a, s);
-  return fc_num_from_u64(a.hi, 64 - s);
+  r->m = 0;
+  r->e = 0;
+  if (v == 0) return;
+  s = fc_clz64(v);
+  r->m = v << s >> 1;
+  r->e = exponent - s + 1;
 }
 
-FC_COLD fc_num fc_num_mul(fc_num a, fc_num b) {
-  /* 2^62..2^63 squared: 2^124 .. 2^126 */
-  fc_i128 p = fc_i128_mul_u64(a.m, b.m);
-  fc_num r = {0, 0};
-  if (a.m == 0 || b.m == 0) return r;
-  if (p.hi >> 61) {
-    r.m = (p.hi << 1) | (p.lo >> 63);
-    r.e = a.e + b.e + 63;
-  } else {
-    r.m = (p.hi << 2) | (p.lo >> 62);
-    r.e = a.e + b.e + 62;
+FC_COLD void fc_num_set_abs(fc_num *r, const fc_i128 *v) {
+  fc_i128 a = fc_i128_abs(*v);
+  uint8_t s;
+  if (a.hi == 0) {
+    fc_num_set(r, a.lo, 0);
+    return;
   }
-  return r;
+  /* a.hi below 2^63 */
+  s = fc_clz64(a.hi);
+  fc_num_set(r, (a.hi << s) | (a.lo >> (64 - s)), 64 - s);
+}
+
+FC_COLD void fc_num_times(fc_num *r, const fc_num *b) {
+  /* 2^62..2^63 squared: 2^124 .. 2^126; from the top word's highest bit on, 63 bits */
+  fc_i128 p = fc_i128_mul_u64(r->m, b->m);
+  uint8_t s;
+  if (p.hi == 0) { /* a factor is 0 */
+    fc_num_set(r, 0, 0);
+    return;
+  }
+  s = (uint8_t)(2 - (p.hi >> 61));
+  r->m = (p.hi << s) | (p.lo >> (64 - s));
+  r->e += b->e + 64 - s;
 }
 
 /*
@@ -61,47 +58,50 @@ static FC_COLD uint64_t quotient(uint64_t rest, uint64_t b, uint8_t k, uint8_t n
   return rest >= b ? q + 1 : q;
 }
 
-FC_COLD fc_num fc_num_div(fc_num a, fc_num b) {
-  fc_num r = {0, 0};
-  uint64_t rest = a.m;
-  if (a.m == 0) return r;
-  r.e = a.e - b.e - 63;
-  if (rest >= b.m) {
+FC_COLD void fc_num_over(fc_num *r, const fc_num *b) {
+  uint64_t rest = r->m;
+  if (rest == 0) return;
+  r->e -= b->e + 63;
+  if (rest >= b->m) {
     /* 1 and a fraction, of which a bit less */
-    r.e++;
-    r.m = (UINT64_C(1) << 62) + (quotient(rest - b.m, b.m, 21, 3) >> 1);
+    r->e++;
+    r->m = (UINT64_C(1) << 62) + (quotient(rest - b->m, b->m, 21, 3) >> 1);
   } else {
-    r.m = quotient(rest, b.m, 21, 3);
+    r->m = quotient(rest, b->m, 21, 3);
   }
-  return r;
 }
 
-FC_COLD fc_num fc_num_add(fc_num a, fc_num b) {
-  fc_num t;
-  int32_t s;
-  if (a.m == 0) return b;
-  if (b.m == 0) return a;
-  if (a.e < b.e) {
-    t = a;
-    a = b;
-    b = t;
-  }
-  s = a.e - b.e;
-  if (s < 64) a.m += b.m >> s; /* below 2^64 */
-  return fc_num_from_u64(a.m, a.e);
+/* b cut to the places of a.m; 0 when it is below them, UINT64_MAX when it is above. */
+static FC_COLD uint64_t aligned(const fc_num *b, const fc_num *a) {
+  int32_t s = a->e - b->e;
+  if (b->m == 0 || s > 63) return 0;
+  return s < 0 ? UINT64_MAX : b->m >> s;
 }
 
-FC_COLD fc_num fc_num_sub(fc_num a, fc_num b) {
-  int32_t s = a.e - b.e;
-  fc_num zero = {0, 0};
-  if (b.m == 0) return a;
-  if (s < 0) return zero;
-  if (s < 64) {
-    uint64_t m = b.m >> s;
-    if (m >= a.m) return zero;
-    a.m -= m;
+FC_COLD void fc_num_plus(fc_num *r, const fc_num *b) {
+  const fc_num *high = r, *low = b;
+  if (fc_num_order_of(r, b) < 0) {
+    high = b;
+    low = r;
   }
-  return fc_num_from_u64(a.m, a.e);
+  fc_num_set(r, high->m + aligned(low, high), high->e); /* below 2^64 */
+}
+
+FC_COLD void fc_num_minus(fc_num *r, const fc_num *b) {
+  uint64_t m = aligned(b, r);
+  fc_num_set(r, m < r->m ? r->m - m : 0, r->e);
+}
+
+FC_COLD void fc_num_times_u64(fc_num *r, uint64_t v) {
+  fc_num b;
+  fc_num_set(&b, v, 0);
+  fc_num_times(r, &b);
+}
+
+FC_COLD void fc_num_over_u64(fc_num *r, uint64_t v) {
+  fc_num b;
+  fc_num_set(&b, v, 0);
+  fc_num_over(r, &b);
 }
 
 FC_COLD uint32_t fc_sqrt64(uint64_t v) {
@@ -126,39 +126,34 @@ FC_COLD uint32_t fc_sqrt64(uint64_t v) {
   return r >> s;
 }
 
-FC_COLD fc_num fc_num_sqrt(fc_num a) {
+FC_COLD void fc_num_root(fc_num *r) {
   /* An even exponent: m in 2^62 .. 2^64. r0 = floor(sqrt m) >= 2^31, rest = m - r0^2 <= 2 r0 < 2^33. The exact root is
    * r0 + f with f = rest/(2 r0) - f^2/(2 r0), so the next 31 bits by one division are off by less than
    * 2^31 / (2 r0) <= 1/2 plus truncation: relative error below 2^-61. */
-  uint64_t m = a.m, r0, half;
-  int32_t e = a.e;
-  if (m == 0) return a;
+  uint64_t m = r->m, r0, half;
+  int32_t e = r->e;
+  if (m == 0) return;
   if (e & 1) {
     m <<= 1;
     e--;
   }
   r0 = fc_sqrt64(m);
   half = (m - fc_mul32((uint32_t)r0, (uint32_t)r0)) << 30; /* of the rest, below r0 2^31 but where the fraction is all ones */
-  if (half >= r0 << 31) half = (r0 << 31) - 1;
-  return fc_num_from_u64((r0 << 31) + (quotient(half, r0 << 31, 16, 2) >> 1), e / 2 - 31);
+  r0 <<= 31;
+  if (half >= r0) half = r0 - 1;
+  fc_num_set(r, r0 + (quotient(half, r0, 16, 2) >> 1), e / 2 - 31);
 }
 
-FC_COLD int8_t fc_num_compare(fc_num a, fc_num b) {
-  if (a.m == 0 || b.m == 0) return (int8_t)((a.m != 0) - (b.m != 0));
-  if (a.e != b.e) return a.e < b.e ? -1 : 1;
-  return (int8_t)((a.m > b.m) - (a.m < b.m));
+FC_COLD int8_t fc_num_order_of(const fc_num *a, const fc_num *b) {
+  if (a->m == 0 || b->m == 0) return (int8_t)((a->m != 0) - (b->m != 0));
+  if (a->e != b->e) return a->e < b->e ? -1 : 1;
+  return (int8_t)((a->m > b->m) - (a->m < b->m));
 }
 
-FC_COLD fc_num fc_num_scale(fc_num a, int32_t exponent) {
-  if (a.m != 0) a.e += exponent;
-  return a;
-}
-
-FC_COLD uint64_t fc_num_round(fc_num a, int32_t shift) {
-  int32_t s = -(a.e + shift); /* bits to drop */
-  if (a.m == 0 || s > 64) return 0;
-  if (s < 0) return s == -1 ? a.m << 1 : UINT64_MAX;
-  if (s == 0) return a.m;
-  if (s == 64) return 0; /* below 2^63/2^64 = 1/2 */
-  return ((a.m >> (s - 1)) + 1) >> 1;
+FC_COLD uint64_t fc_num_rounded(const fc_num *r, int32_t shift) {
+  int32_t s = -(r->e + shift); /* bits to drop; 64: below 2^63/2^64 = 1/2 */
+  if (r->m == 0 || s > 63) return 0;
+  if (s < -1) return UINT64_MAX;
+  if (s <= 0) return r->m << -s;
+  return ((r->m >> (s - 1)) + 1) >> 1;
 }

@@ -1,9 +1,10 @@
 /* Pixel formats and rounding. */
 #include "pixel.h"
 
+#include "bits.h"
 #include "fixcast/error.h"
 
-int fc_format_bytes(int format) {
+FC_COLD int fc_format_bytes(int format) {
   switch (format) {
     case FC_RGB888: return 3;
     case FC_RGB565_BE:
@@ -12,12 +13,12 @@ int fc_format_bytes(int format) {
   }
 }
 
-void fc_pixel_most(uint8_t format, uint8_t most[3]) {
+FC_COLD void fc_pixel_most(uint8_t format, uint8_t most[3]) {
   most[0] = most[2] = format == FC_RGB888 ? 255 : 31;
   most[1] = format == FC_RGB888 ? 255 : 63;
 }
 
-uint8_t fc_pixel_level(uint16_t reflectance_q15, uint8_t most, uint32_t light_q24) {
+FC_COLD uint8_t fc_pixel_level(uint16_t reflectance_q15, uint8_t most, uint32_t light_q24) {
   /* 16 + 32 + 8 bits */
   uint64_t level = ((uint64_t)reflectance_q15 * light_q24 * most + (UINT64_C(1) << 38)) >> 39;
   return level > most ? most : (uint8_t)level;
@@ -36,7 +37,7 @@ void fc_pixel_put(uint8_t format, const uint8_t level[3], uint8_t *to) {
   to[format == FC_RGB565_BE ? 1 : 0] = (uint8_t)(packed & 0xff);
 }
 
-void fc_pixel_background(const fc_scene *scene, uint8_t format, uint8_t *to) {
+FC_COLD void fc_pixel_background(const fc_scene *scene, uint8_t format, uint8_t *to) {
   const uint32_t full_q24 = UINT32_C(1) << 24;
   uint8_t most[3], level[3];
   fc_pixel_most(format, most);

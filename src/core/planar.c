@@ -31,7 +31,7 @@ static uint64_t reach_of(int64_t at, int64_t dx, int64_t dy, const fc_scan *scan
 }
 
 /* W and the cosine's numerator over the tile; false when W is so small that its cuts would tell. */
-static bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
+static FC_COLD bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
   const int64_t *n = planar->normal, *light = scan->frame->lights;
   int64_t d[3], step, nd, ndx, ndy, at[3], dx[3], dy[3];
   fc_quick factor;
@@ -73,75 +73,82 @@ static bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
   return true;
 }
 
-uint8_t fc_ball_to_plane(const int64_t n[3], int64_t a, int64_t radius) {
-  /* (k - n.C)^2 against r^2 n.n: below 2^124 and 2^122 */
-  fc_i128 have = fc_i128_mul(a, a), touch = fc_i128_mul(radius * radius, fc_small_dot(n, n));
-  if (fc_i128_compare(have, touch) >= 0) return FC_BALL_CLEAR;
-  /* a >= r |n| (1 - 2^-12) if a^2 >= r^2 n^2 (1 - 2^-12) */
-  touch = fc_i128_sub(touch, fc_i128_floor_shift(touch, 12));
-  return fc_i128_compare(have, touch) >= 0 ? FC_BALL_DIPS : FC_BALL_CUTS;
+FC_COLD int64_t fc_ball_foot(const int64_t n[3], const int32_t unit[3], int64_t above, const int64_t center[3], int64_t radius,
+                             int64_t foot[3]) {
+  /* |n| below 2^31 and at least 1, so 1 / |n| times |above| is within 2^-25 and 1: 2^-24 r + 2 where it is about r */
+  int64_t square = fc_small_dot(n, n), margin = fc_ball_margin(radius), dip;
+  int64_t rise = fc_quick_times(fc_quick_rsqrt(fc_quick_from((uint64_t)square, 0)), above, 0); /* INT32_MAX: farther */
+  uint8_t i;
+  for (i = 0; i < 3; i++) foot[i] = center[i] + fc_floor_shift64(unit[i] * rise, 30); /* 31 + 31 bits */
+  dip = radius - (int64_t)fc_abs64(rise) + margin;
+  if (dip > 0 && dip <= 2 * margin) {
+    /* balls rest on planes: above^2 against r^2 n.n, below 2^124 and 2^122 */
+    fc_i128 have = fc_i128_mul(above, above), touch = fc_i128_mul(radius * radius, square);
+    if (have.hi != touch.hi ? have.hi > touch.hi : have.lo >= touch.lo) return 0;
+  }
+  return dip;
 }
 
-bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
-                          fc_window *doubt) {
+FC_COLD bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
+                                  fc_window *doubt) {
   const int64_t *n = receiver->normal;
-  int64_t above = receiver->k - fc_small_dot(n, center), t[3], to_light[3]; /* 62 and 61 bits */
-  fc_num length, r = fc_num_from_u64((uint64_t)radius, 0), rise, dip, reach, foot;
+  int64_t above = receiver->k - fc_small_dot(n, center), t[3], to_light[3], margin = fc_ball_margin(radius), dip, reach;
+  fc_quick lever;
   uint8_t i;
-  bool front = above > 0;
   doubt->x0 = doubt->y0 = 1;
   doubt->x1 = doubt->y1 = 0;
-  if ((int64_t)fc_abs64(above) > receiver->slack) {
-    uint8_t how = fc_ball_to_plane(n, (int64_t)fc_abs64(above) - receiver->slack, radius);
-    if (how == FC_BALL_CLEAR) return front;
-    if (how == FC_BALL_DIPS && front) {
-      /* |L - T| / h below 2^q; the reach is then below r / 16 + 2^(q + 1) 2^-12 r */
-      int16_t q;
-      for (i = 0; i < 3; i++) {
-        t[i] = center[i] + fc_floor_shift64((int64_t)receiver->unit[i] * radius, 30);
-        to_light[i] = t[i] - scan->frame->lights[i];
-      }
-      q = (int16_t)(fc_vector_bits(to_light) + 1 + fc_vector_bits(n) + 1 - fc_bits64(fc_abs64(receiver->height)) + 1);
-      if (receiver->slack != 0) q++; /* the height's own, where it is more than twice that */
-      if (q <= 7 && (int64_t)fc_abs64(receiver->height) > 2 * receiver->slack) {
-        (void)fc_ball_window(scan->frame, t, (radius >> 4) + (radius >> (11 - (q < 0 ? 0 : q))) + 4, doubt);
-        return true;
-      }
+  dip = fc_ball_foot(n, receiver->unit, above, center, radius, t);
+  if (receiver->slack != 0) {
+    /* |n| is at least 2^29 then: the exact plane lies within 16 */
+    dip += 17;
+    margin += 17;
+  }
+  if (dip <= 0) return above > 0; /* clear of the plane */
+  if (above <= 0) dip = 2 * (radius + margin) - dip;
+  for (i = 0; i < 3; i++) to_light[i] = t[i] - scan->frame->lights[i]; /* below 2^33 */
+  if (receiver->height > 2 * receiver->slack && fc_vector_bits(t) <= 30) {
+    /* 2 dip |L - T| / (h / |n|), twice that for the height's own slack; the sum of three axes is more than the length */
+    lever = fc_quick_mul(fc_quick_from((uint64_t)dip, receiver->slack != 0 ? 2 : 1),
+                         fc_quick_from((uint64_t)fc_small_norm1(to_light), 0));
+    lever = fc_quick_mul(lever, fc_quick_recip(fc_quick_from((uint64_t)receiver->height, 0)));
+    lever = fc_quick_mul(lever, fc_quick_from((uint64_t)fc_small_norm1(n), 0));
+    if (lever.e <= 0) {
+      /* 31 + 32 bits; lever below 2^32 and within 2^-24; T within 2 margin + 1 an axis */
+      reach = 2 * ((int64_t)fc_sqrt64(2 * (uint64_t)(radius * dip)) + 1) + (int64_t)fc_quick_to_u64(lever);
+      (void)fc_ball_window(scan->frame, t, reach + (reach >> 24) + 4 * margin + 4, doubt);
+      return true;
     }
   }
-  length = fc_length(n);
-  rise = fc_num_div(fc_num_from_u64(fc_abs64(above), 0), length); /* of the center over the plane, or below it */
-  if (front)
-    dip = fc_num_compare(r, rise) > 0 ? fc_num_sub(r, rise) : fc_num_from_u64(0, 0);
-  else
-    dip = fc_num_add(r, rise);
-  /* the values' errors, and what a cut normal may move */
-  dip = fc_num_add(dip, fc_num_scale(r, -40));
-  dip = fc_num_add(dip, fc_num_div(fc_num_from_u64((uint64_t)receiver->slack, 0), length));
-  /* T = C + n (k - n.C) / n.n, rounded */
-  foot = fc_num_div(rise, length);
-  for (i = 0; i < 3; i++) {
-    int64_t move = (int64_t)fc_num_round(fc_num_mul(foot, fc_num_from_u64(fc_abs64(n[i]), 0)), 0);
-    t[i] = center[i] + ((n[i] < 0) == front ? -move : move);
-    to_light[i] = t[i] - scan->frame->lights[i];
-  }
-  reach = fc_num_scale(fc_num_sqrt(fc_num_mul(fc_num_scale(r, 1), dip)), 1);
-  foot = fc_num_mul(fc_num_mul(dip, fc_length(to_light)), length);
-  if ((int64_t)fc_abs64(receiver->height) <= 2 * receiver->slack) {
-    reach = fc_num_from_u64(1, 32); /* the light all but in the plane */
-  } else {
-    /* twice, for the height's own slack */
-    foot = fc_num_div(foot, fc_num_from_u64(fc_abs64(receiver->height), 0));
-    reach = fc_num_add(reach, fc_num_scale(foot, 2));
-  }
-  if (fc_num_compare(reach, fc_num_from_u64(1, 31)) >= 0 || fc_vector_bits(t) > 30) {
-    doubt->x0 = doubt->y0 = 0; /* everywhere */
-    doubt->x1 = scan->frame->width - 1;
-    doubt->y1 = scan->frame->height - 1;
-  } else {
-    (void)fc_ball_window(scan->frame, t, (int64_t)fc_num_round(reach, 0) + 4, doubt);
-  }
+  doubt->x0 = doubt->y0 = 0; /* everywhere */
+  doubt->x1 = scan->frame->width - 1;
+  doubt->y1 = scan->frame->height - 1;
   return true;
+}
+
+/* Where the ray through a pixel of the tile meets the plane, or the one of its cut normal; false when it does not, or too far
+ * away. */
+static FC_COLD bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
+  static const int64_t eye[3] = {0, 0, 0};
+  int64_t d[3], nd;
+  fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
+  fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
+  nd = fc_small_dot(planar->normal, d);
+  if (planar->slack != 0 && nd >> 50 == 0) return false;
+  return nd > 0 && fc_point_at(fc_num_div(k, fc_num_from_u64((uint64_t)nd, 0)), eye, d, point);
+}
+
+FC_COLD bool fc_planar_blocked(const fc_scan *scan, const fc_planar *receiver, uint16_t row, uint16_t column, const fc_kind *kind,
+                               const fc_form *occluder) {
+  int64_t wide[3];
+  if (kind->hides != NULL && receiver->slack == 0 && foot(scan, receiver, row, column, wide) && fc_vector_bits(wide) <= 30) {
+    int32_t point[3];
+    int8_t hides;
+    uint8_t i;
+    for (i = 0; i < 3; i++) point[i] = (int32_t)wide[i];
+    hides = kind->hides(occluder, scan->frame->lights, point, 1);
+    if (hides >= 0) return hides > 0;
+  }
+  return fc_scan_blocked(scan, row, column, kind, occluder);
 }
 
 FC_COLD void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder) {
@@ -158,7 +165,7 @@ typedef struct caster {
   const fc_planar *planar;
 } caster;
 
-static bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
+static FC_COLD bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
   const caster *c = context;
   fc_form form;
   if ((uint16_t)(at->group.first + index) == c->scan->primitive) return false;
@@ -166,17 +173,6 @@ static bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
   fc_kind_of(at)->fetch(&at->group, index, &form);
   fc_kind_of(at)->shadow(c->scan, c->planar, fc_kind_of(at), &form);
   return false;
-}
-
-/* Where the ray through a pixel of the tile meets the plane, or the one of its cut normal; false when it does not, or too far away. */
-static FC_COLD bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
-  static const int64_t eye[3] = {0, 0, 0};
-  int64_t d[3], nd;
-  fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
-  fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
-  nd = fc_small_dot(planar->normal, d);
-  if (planar->slack != 0 && nd >> 50 == 0) return false;
-  return nd > 0 && fc_point_at(fc_num_div(k, fc_num_from_u64((uint64_t)nd, 0)), eye, d, point);
 }
 
 /* First and last pixel of a row's mask; false when it is empty. */
@@ -260,8 +256,8 @@ static FC_COLD void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
 }
 
 /*
- * The same for a polygon that is much larger than what the tile shows of it: the corners of the rectangle. When the normal is cut, k is
- * off by `slack` <= 2^33 and n.D by 3 * 2^30: with both at least 2^50, points move by less than 2^-16 of themselves. False when
+ * The same for a polygon that may be much larger than what the tile shows of it: the corners of the rectangle. When the normal
+ * is cut, k is off by `slack` <= 2^33 and n.D by 3 * 2^30: with both at least 2^50, points move by less than 2^-16 of themselves. False when
  * that does not hold.
  */
 static FC_COLD bool cast_from_part(fc_scan *scan, const fc_planar *planar) {
@@ -270,7 +266,8 @@ static FC_COLD bool cast_from_part(fc_scan *scan, const fc_planar *planar) {
   if (planar->slack != 0 && planar->k >> 50 == 0) return false;
   for (i = 0; i < 4; i++) {
     uint8_t b;
-    if (!foot(scan, planar, i & 1 ? planar->top : planar->bottom, i & 2 ? planar->left : planar->right, points + 3 * i)) return false;
+    if (!foot(scan, planar, i & 1 ? planar->top : planar->bottom, i & 2 ? planar->left : planar->right, points + 3 * i))
+      return false;
     b = fc_vector_bits(points + 3 * i);
     if (b > bits) bits = b;
   }
@@ -310,21 +307,47 @@ typedef struct cosine_row {
   int32_t g;
 } cosine_row;
 
-static void start_row(const fc_planar *planar, const cosine *g, uint16_t row, uint16_t column, cosine_row *r) {
-  /* components below 2^30: sums of three products below 2^62, q below 2^32; over 128 columns the rounded differences add up
-   * to an error below 2^14 */
-  int64_t square = 0, cross = 0, step = 0;
+/* W.W and its differences at the first column of a row, exact: components below 2^30, so sums of three products below 2^62 in the
+ * tile; what wraps is not looked at there. */
+typedef struct square_form {
+  uint64_t at, dx, dxx; /* value, difference to the next column, its difference */
+  uint64_t dy, dyy, dxy;
+} square_form;
+
+static FC_NOINLINE uint64_t dot32(const int32_t a[3], const int32_t b[3]) {
+  uint64_t sum = 0;
   uint8_t i;
-  for (i = 0; i < 3; i++) {
-    int32_t w = planar->w.at[i] + column * planar->w.dx[i] + row * planar->w.dy[i], dw = planar->w.dx[i];
-    square += fc_smul32(w, w);
-    if (dw == 0) continue;
-    cross += fc_smul32(w, dw);
-    step += fc_smul32(dw, dw);
+  for (i = 0; i < 3; i++)
+    if (b[i] != 0) sum += (uint64_t)fc_smul32(a[i], b[i]);
+  return sum;
+}
+
+static void set_square(const fc_sheaf *w, square_form *s) {
+  uint64_t xx = dot32(w->dx, w->dx), yy = dot32(w->dy, w->dy);
+  s->at = dot32(w->at, w->at);
+  s->dx = 2 * dot32(w->at, w->dx) + xx;
+  s->dy = 2 * dot32(w->at, w->dy) + yy;
+  s->dxx = 2 * xx;
+  s->dyy = 2 * yy;
+  s->dxy = 2 * dot32(w->dx, w->dy);
+}
+
+static inline void next_row(square_form *s) {
+  s->at += s->dy;
+  s->dy += s->dyy;
+  s->dx += s->dxy;
+}
+
+static void start_row(const square_form *s, const cosine *g, uint16_t row, uint16_t column, cosine_row *r) {
+  /* q below 2^32; over 128 columns the rounded differences add up to an error below 2^14 */
+  uint64_t at = s->at, dx = s->dx;
+  if (column != 0) {
+    at += fc_times(dx + fc_times(s->dxx >> 1, (uint16_t)(column - 1u)), column); /* dxx is even */
+    dx += fc_times(s->dxx, column);
   }
-  r->q = (uint32_t)((uint64_t)square >> 30);
-  r->dq = (uint32_t)(uint64_t)fc_floor_shift64(2 * cross + step, 30);
-  r->ddq = (uint32_t)(uint64_t)fc_floor_shift64(2 * step, 30);
+  r->q = (uint32_t)(at >> 30);
+  r->dq = (uint32_t)(dx >> 30); /* 34 bits are left: the sign's too */
+  r->ddq = (uint32_t)(s->dxx >> 30);
   r->g = g->at + column * g->dx + row * g->dy;
 }
 
@@ -343,7 +366,7 @@ static inline uint32_t cosine_of(uint32_t q, int32_t g) {
 }
 
 /* Lights the pixels in `bits` from where the forms stand. */
-static FC_NOINLINE void shade_run(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
+static FC_HOT void shade_run(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
                                   uint32_t bits, uint8_t *restrict to,
                                   uint8_t pixel_bytes) {
   for (; count != 0; count--, bits >>= 1, to += pixel_bytes) {
@@ -360,40 +383,58 @@ static FC_NOINLINE void shade_run(const fc_tint *restrict tint, cosine_row *rest
  * (|dW| / |W|)^2 cos a sqrt(cos^2 a + 4 sin^2 a) a column, at most 1.16 (|dW| / |W|)^2. A chord over m columns is off by at most
  * m^2 / 8 of that: 2^-8, a quarter of a level in 63, when |W| >= 6.1 m |dW| at its least; ddq is twice |dW|^2.
  */
-static FC_NOINLINE void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
-                                     uint32_t bits, uint8_t *restrict to, uint8_t s) {
+typedef struct chord_ends {
+  uint32_t rb; /* red and blue, 5.11 bits each */
+  uint32_t g;
+} chord_ends;
+
+static inline chord_ends levels_at(const fc_tint *tint, uint32_t c) {
+  chord_ends l;
+  l.rb = ((tint->base[0] + tint->slope[0] * c) << (27 - FC_TINT_BITS) & UINT32_C(0xffff0000)) |
+         (tint->base[2] + tint->slope[2] * c) >> (FC_TINT_BITS - 11);
+  l.g = tint->base[1] + tint->slope[1] * c;
+  return l;
+}
+
+static inline void put_levels(uint32_t rb, uint32_t g, uint8_t *to) {
+  uint32_t packed = ((rb >> 27 << 6 | g >> FC_TINT_BITS) << 5) | rb << 16 >> 27;
+  to[0] = (uint8_t)(packed >> 8);
+  to[1] = (uint8_t)packed;
+}
+
+/* Red and blue are cut to 2^-11 at a chord's ends and so are their steps, downwards: at most 17 2^-11 of a level off in all, and
+ * never above both ends; never below 0, as the rounding half is in them. */
+static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
+                                uint32_t bits, uint8_t *restrict to, uint8_t s) {
   /* s steps at once: q by m dq + m (m - 1) / 2 ddq */
   const uint32_t q_bend = (r->ddq << (2 * s - 1)) - (r->ddq << (s - 1)), chunk = (UINT32_C(1) << (1 << s)) - 1;
-  uint32_t level[3], c = cosine_of(r->q, r->g);
-  level[0] = tint->base[0] + tint->slope[0] * c;
-  level[1] = tint->base[1] + tint->slope[1] * c;
-  level[2] = tint->base[2] + tint->slope[2] * c;
+  chord_ends end = levels_at(tint, cosine_of(r->q, r->g));
   while (count != 0) {
-    uint32_t red = level[0], green = level[1], blue = level[2], d_red, d_green, d_blue, some = bits & chunk;
+    uint32_t rb = end.rb, g = end.g, d_rb, d_g, some = bits & chunk;
     uint8_t *at = to;
+    to += 2 << s;
     r->q += (r->dq << s) + q_bend;
     r->dq += r->ddq << s;
     r->g += dg * (INT32_C(1) << s);
-    c = cosine_of(r->q, r->g);
-    level[0] = tint->base[0] + tint->slope[0] * c;
-    level[1] = tint->base[1] + tint->slope[1] * c;
-    level[2] = tint->base[2] + tint->slope[2] * c;
-    /* differences of levels below 2^29 */
-    d_red = (uint32_t)fc_floor_shift32(fc_to_i32(level[0] - red), s);
-    d_green = (uint32_t)fc_floor_shift32(fc_to_i32(level[1] - green), s);
-    d_blue = (uint32_t)fc_floor_shift32(fc_to_i32(level[2] - blue), s);
-    for (; some != 0; some >>= 1) {
-      if (some & 1) {
-        uint32_t packed = (((red >> FC_TINT_BITS) << 6 | green >> FC_TINT_BITS) << 5) | blue >> FC_TINT_BITS;
-        at[0] = (uint8_t)(packed >> 8);
-        at[1] = (uint8_t)packed;
+    end = levels_at(tint, cosine_of(r->q, r->g));
+    /* differences of levels below 2^29 and 2^16 */
+    d_g = (uint32_t)fc_floor_shift32(fc_to_i32(end.g - g), s);
+    d_rb = ((uint32_t)fc_floor_shift32((int32_t)(end.rb >> 16) - (int32_t)(rb >> 16), s) << 16) +
+           (uint32_t)fc_floor_shift32((int32_t)(end.rb & 0xffffu) - (int32_t)(rb & 0xffffu), s);
+    if (some == chunk) {
+      do {
+        put_levels(rb, g, at);
+        at += 2;
+        rb += d_rb;
+        g += d_g;
+      } while (at != to);
+    } else {
+      for (; some != 0; some >>= 1, at += 2) {
+        if (some & 1) put_levels(rb, g, at);
+        rb += d_rb;
+        g += d_g;
       }
-      at += 2;
-      red += d_red;
-      green += d_green;
-      blue += d_blue;
     }
-    to += 2 << s;
     bits >>= 1 << s;
     count = (uint8_t)(count <= 1 << s ? 0 : count - (1 << s));
   }
@@ -413,41 +454,40 @@ static uint32_t least_square(const cosine_row *r, uint8_t n) {
   return drop < r->q ? r->q - (uint32_t)drop : 0;
 }
 
-/* The longest chords that are good enough for q from `least` on: 2^s pixels; 0: none. 6.1^2 m^2 / 2 = 1191, 298, 75. */
+/* The longest chords that are good enough for q from `least` on: 2^s pixels; 0: none. 6.1^2 m^2 / 2 = 4764, 1191, 298, 75. */
 static uint8_t chord_of(uint32_t least, uint32_t ddq) {
   uint32_t q = least >> 8;
-  return q >> 2 >= ddq + (ddq >> 2) ? 3 : q >> 1 >= ddq ? 2 : q >= ddq ? 1 : 0;
+  return q >> 4 >= ddq + (ddq >> 2) ? 4 : q >> 2 >= ddq + (ddq >> 2) ? 3 : q >> 1 >= ddq ? 2 : q >= ddq ? 1 : 0;
 }
 
-static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
+static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
   /* chords twice as long are off four times as far: 2^-6 of a cosine, four levels in 255 */
-  const uint8_t fast = fc_scan_guesses(scan), beyond = fast ? 14 : 6;
+  const uint8_t fast = fc_scan_guesses(scan);
+  square_form square;
   uint16_t row;
   uint8_t word;
-  for (row = scan->first_row; row <= scan->last_row; row++) {
+  set_square(&planar->w, &square);
+  for (row = 0; row <= scan->last_row; row++, next_row(&square)) {
     cosine_row forms = {0, 0, 0, 0};
     uint16_t next = UINT16_MAX, column = 0; /* the column that the forms stand at */
+    if (row < scan->first_row) continue;
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word];
       uint16_t at = column;
-      uint8_t count = 32, chord;
+      uint8_t count, chord;
       uint32_t least = 0;
       if (bits == 0) continue;
       while (!(bits & 1)) {
         bits >>= 1;
         at++;
-        count--;
       }
-      if (bits >> (count - 1) == 0) { /* what lies behind the last is not needed */
-        count = 0;
-        while (bits >> count != 0) count++;
-      }
+      count = (uint8_t)(32 - fc_clz32(bits)); /* what lies behind the last is not needed */
       /* q is within 2^14, which costs the cosine 2^-11 of itself from 2^24 on; where the forms were just set up it is within
-       * 2^10, and 2^20 is enough. A chord's end may lie 7 columns further, or 15. */
-      if (at == next && word % 4 != 0) least = least_square(&forms, (uint8_t)(count + beyond));
+       * 2^10, and 2^20 is enough. A chord's end may lie 15 columns further. */
+      if (at == next && word % 4 != 0) least = least_square(&forms, (uint8_t)(count + 14));
       if (at != next || word % 4 == 0 || least < UINT32_C(1) << 24) {
-        start_row(planar, g, row, at, &forms);
-        least = least_square(&forms, (uint8_t)(count + beyond));
+        start_row(&square, g, row, at, &forms);
+        least = least_square(&forms, (uint8_t)(count + 14));
       }
       if (least < UINT32_C(1) << 20) {
         fc_scan_shade_slowly(scan, row, at, bits);
@@ -456,7 +496,7 @@ static void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
       }
       fc_scan_lit(scan, row, at, bits);
       chord = scan->tint.plain ? chord_of(least, forms.ddq) : 0;
-      if (chord != 0) chord = (uint8_t)(chord + fast);
+      if (chord != 0 && chord < 4) chord = (uint8_t)(chord + fast);
       if (chord != 0) {
         shade_chords(&scan->tint, &forms, g->dx, count, bits, fc_scan_pixel(scan, row, at), chord);
         next = count % (1 << chord) == 0 ? (uint16_t)(at + count) : UINT16_MAX;
@@ -483,13 +523,13 @@ static void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t norm
   planar->height = planar->k - fc_small_dot(planar->normal, scan->frame->lights);
 }
 
-int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]) {
+FC_COLD int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]) {
   int64_t side = planar->k - fc_small_dot(planar->normal, p);
   if (planar->slack == 0 || (int64_t)fc_abs64(side) > planar->slack) return fc_sign64(side);
   return fc_i128_sign(fc_i128_sub(planar->exact_k, fc_i128_dot(planar->exact, p))); /* 63 + 30 bits */
 }
 
-void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
+FC_COLD void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
   fc_planar planar;
   cosine g = {0, 0, 0};
   uint16_t row;

@@ -36,12 +36,13 @@ void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const in
 /* The sign of k - n.p, exact: 1 on the eye's side. */
 int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]);
 
-/*
- * How a ball lies to a plane n . p = k, given the side of its center (a = |k - n.C|): clear of it, touching at most; dipping
- * by no more than 2^-12 of its radius; or cutting it. |n| below 2^30, the radius too.
- */
-enum { FC_BALL_CLEAR, FC_BALL_DIPS, FC_BALL_CUTS };
-uint8_t fc_ball_to_plane(const int64_t n[3], int64_t a, int64_t radius);
+/* How far a ball may reach beyond a plane n . p = k from the side of its center (above = k - n . C), and the foot of the
+ * center on the plane: both too much by up to twice fc_ball_margin, an axis. Not positive: clear of it. unit = n / |n|, Q30
+ * within 2^-25; |n| below 2^30, the radius too. */
+int64_t fc_ball_foot(const int64_t n[3], const int32_t unit[3], int64_t above, const int64_t center[3], int64_t radius,
+                     int64_t foot[3]);
+
+static inline int64_t fc_ball_margin(int64_t radius) { return (radius >> 24) + 2; }
 
 /* Takes pixels of a mask word out of the light. */
 static inline void fc_planar_darken(fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
@@ -60,6 +61,11 @@ static inline void fc_planar_darken(fc_scan *scan, uint16_t row, uint16_t column
  */
 bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
                           fc_window *doubt);
+
+/* Whether an occluder keeps the light from what the pixel shows of the receiver: by the point to the unit where that tells, else by
+ * the ray engine. */
+bool fc_planar_blocked(const fc_scan *scan, const fc_planar *receiver, uint16_t row, uint16_t column, const fc_kind *kind,
+                       const fc_form *occluder);
 
 /* Every masked pixel by the ray engine: for occluders without a fast form. */
 void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *occluder);

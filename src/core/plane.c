@@ -144,40 +144,38 @@ static FC_COLD bool normal(const fc_form *form, const fc_prepared *prepared, con
   return prepared->u.plane.side > 0; /* k - n.O > 0: the origin is behind */
 }
 
-static FC_COLD bool item_range(const fc_frame *frame, const fc_form *form, uint64_t *near, uint64_t *far) {
-  /* 1/z is affine in the pixel, so the corner pixels hold its extremes; a corner that misses means the horizon
-   * is in view, and z has no bound. */
-
-  const int64_t origin[3] = {0, 0, 0};
-  fc_prepared prepared;
-  uint8_t i, hits = 0;
-  prepare(form, origin, &prepared);
-  for (i = 0; i < 4; i++) {
-    fc_root root;
-    int64_t d[3];
-    uint64_t z;
-    fc_view_direction(frame, (i & 1) ? (uint16_t)(frame->width - 1) : 0,
-                      (i & 2) ? (uint16_t)(frame->height - 1) : 0, d);
-    if (test(&prepared, d, &root) == 0) continue;
-    z = fc_num_round(fc_num_mul(fc_root_value(&root), fc_num_from_u64((uint64_t)d[2], 0)), 0);
-    if (hits == 0 || z < *near) *near = z;
-    if (hits == 0 || z > *far) *far = z;
-    hits++;
-  }
-  if (hits < 4) *far = UINT64_MAX;
-  if (*near > 0) *near -= 1; /* rounded */
-  return hits > 0;
+/* |k| F / along, which is z; within 2^-24. */
+static FC_COLD uint64_t z_at(const fc_frame *frame, int64_t k, int64_t along) {
+  fc_quick z = fc_quick_mul(fc_quick_from(fc_abs64(k), 0), fc_quick_recip(fc_quick_from((uint64_t)along, 0)));
+  z = fc_quick_mul(z, fc_quick_from((uint64_t)frame->view.focal, 0));
+  return z.e > 30 ? UINT64_MAX / 2 : fc_quick_to_u64(z);
 }
 
 static FC_COLD void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
   uint16_t i;
   for (i = 0; i < group->shapes.count; i++) {
+    /* 1/z is affine in the pixel, so the corner pixels (+-x, +-y, F) hold its extremes; a corner that misses means the horizon is in
+     * view, and z has no bound. */
+    int64_t reach, middle;
+    uint64_t z;
     fc_form form;
-    uint64_t low = 0, high = 0;
     fetch(group, i, &form);
-    if (!item_range(frame, &form, &low, &high)) continue;
-    if (low < *near) *near = low;
-    if (high > *far) *far = high;
+    middle = form.u.plane.normal[2] * frame->view.focal;
+    if (form.u.plane.k < 0) middle = -middle;
+    reach = (int64_t)(fc_abs64(form.u.plane.normal[0]) * (uint16_t)(frame->width - 1) +
+                      fc_abs64(form.u.plane.normal[1]) * (uint16_t)(frame->height - 1)) *
+            (INT64_C(1) << frame->view.pixel_shift);
+    if (form.u.plane.k == 0 || middle + reach <= 0) continue;
+    z = z_at(frame, form.u.plane.k, middle + reach);
+    z -= z >> 22;
+    if (z > 0) z--; /* cut */
+    if (z < *near) *near = z;
+    z = UINT64_MAX;
+    if (middle > reach) {
+      z = z_at(frame, form.u.plane.k, middle - reach);
+      z += (z >> 22) + 1;
+    }
+    if (z > *far) *far = z;
   }
 }
 

@@ -111,7 +111,7 @@ static int draw_field(const fc_frame *frame, uint8_t field, uint16_t y, uint16_t
   return FC_OK;
 }
 
-int fc_render_profile(const fc_frame *frame, uint8_t field, uint16_t y, uint16_t rows, const fc_target *target) {
+FC_COLD int fc_render_profile(const fc_frame *frame, uint8_t field, uint16_t y, uint16_t rows, const fc_target *target) {
   if (frame == NULL) return FC_ERR_NULL;
   switch (frame->options.profile) {
     case FC_PROFILE_HALF: return draw_half(frame, y, rows, target);

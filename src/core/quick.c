@@ -34,7 +34,7 @@ const uint16_t fc_recip_table[128] FC_ROM = {
     35470, 35320, 35172, 35026, 34880, 34735, 34592, 34450, 34309, 34169, 34031, 33893,
     33757, 33622, 33487, 33354, 33222, 33091, 32961, 32832};
 
-fc_quick fc_quick_from(uint64_t v, int16_t e) {
+FC_COLD fc_quick fc_quick_from(uint64_t v, int16_t e) {
   fc_quick r = {0, 0};
   uint8_t bits = fc_bits64(v);
   if (bits == 0) return r;
@@ -43,7 +43,7 @@ fc_quick fc_quick_from(uint64_t v, int16_t e) {
   return r;
 }
 
-fc_quick fc_quick_mul(fc_quick a, fc_quick b) {
+FC_COLD fc_quick fc_quick_mul(fc_quick a, fc_quick b) {
   fc_quick r;
   r.m = fc_mulhi32(a.m, b.m);
   r.e = (int16_t)(a.e + b.e + 32);
@@ -55,7 +55,7 @@ fc_quick fc_quick_mul(fc_quick a, fc_quick b) {
   return r;
 }
 
-fc_quick fc_quick_add(fc_quick a, fc_quick b) {
+FC_COLD fc_quick fc_quick_add(fc_quick a, fc_quick b) {
   if (fc_quick_less(a, b)) {
     fc_quick c = a;
     a = b;
@@ -65,7 +65,7 @@ fc_quick fc_quick_add(fc_quick a, fc_quick b) {
   return fc_quick_from((uint64_t)a.m + (b.m >> (a.e - b.e)), a.e);
 }
 
-fc_quick fc_quick_recip(fc_quick a) {
+FC_COLD fc_quick fc_quick_recip(fc_quick a) {
   /* x = m / 2^32 in [1/2, 1): r = 2^31 / m16, Q15 of 1 / x, 2^-14; one more Newton step on 31 bits */
   fc_quick q;
   uint32_t r = fc_recip_q31(a.m >> 16) << 15; /* Q30 of 1 / x: up to 2^31 */
@@ -83,7 +83,7 @@ fc_quick fc_quick_recip(fc_quick a) {
   return q;
 }
 
-fc_quick fc_quick_rsqrt(fc_quick a) {
+FC_COLD fc_quick fc_quick_rsqrt(fc_quick a) {
   /* even exponents: x = m / 2^32 in [1/4, 1) */
   fc_quick q;
   uint32_t m = a.m, y, rest;
@@ -108,13 +108,13 @@ fc_quick fc_quick_rsqrt(fc_quick a) {
   return q;
 }
 
-int32_t fc_quick_to_int(fc_quick a, int16_t e) {
+FC_COLD int32_t fc_quick_to_int(fc_quick a, int16_t e) {
   int16_t down = (int16_t)-(a.e + e);
   if (a.m == 0 || down > 31) return 0;
   return down < 1 ? INT32_MAX : (int32_t)(a.m >> down);
 }
 
-int32_t fc_quick_times(fc_quick a, int64_t v, int16_t e) {
+FC_COLD int32_t fc_quick_times(fc_quick a, int64_t v, int16_t e) {
   int32_t r = fc_quick_to_int(fc_quick_mul(a, fc_quick_from(fc_abs64(v), 0)), e);
   return v < 0 ? -r : r;
 }

@@ -85,14 +85,14 @@ static inline uint64_t fc_times(uint64_t a, uint16_t n) {
 
 extern const uint16_t fc_rsqrt_table[192], fc_recip_table[128];
 
-static inline uint16_t fc_read_table(const uint16_t *entry) {
+FC_INLINE uint16_t fc_read_table(const uint16_t *entry) {
   uint16_t v;
   FC_READ(&v, entry, sizeof v);
   return v;
 }
 
 /* 1 / sqrt(x) for x = m / 2^32 in [1/4, 1): Q15 in 32768..65536; relative error below 2^-14. */
-static inline uint32_t fc_rsqrt_q15(uint32_t m) {
+FC_INLINE uint32_t fc_rsqrt_q15(uint32_t m) {
   uint32_t y = fc_read_table(&fc_rsqrt_table[(m >> 24) - 64]);
   /* y (3 - x y^2) / 2: y^2 Q30, kept as Q14; x Q16: x y^2 below 1.03, Q30 */
   uint32_t xyy = (m >> 16) * ((y * y) >> 16);
@@ -100,7 +100,7 @@ static inline uint32_t fc_rsqrt_q15(uint32_t m) {
 }
 
 /* 2^31 / m for m in 2^15 .. 2^16-1, relative error below 2^-15: 32768 .. 65536. */
-static inline uint32_t fc_recip_q31(uint32_t m) {
+FC_INLINE uint32_t fc_recip_q31(uint32_t m) {
   uint32_t r = fc_read_table(&fc_recip_table[(m >> 8) - 128]);
   /* r (2 - m r): m r within 1 +- 2^-8 of 2^31 */
   uint32_t rest = 0x8000u - m * r; /* (2 - m r) Q31 and a rounding; wraps to about 2^31 */
@@ -108,7 +108,7 @@ static inline uint32_t fc_recip_q31(uint32_t m) {
 }
 
 /* sqrt(x) for x = m / 2^32 in [1/4, 1): Q32 (2^31 .. 2^32-1), off by less than 2^7. */
-static inline uint32_t fc_sqrt_q32(uint32_t m) {
+FC_INLINE uint32_t fc_sqrt_q32(uint32_t m) {
   uint32_t y = fc_rsqrt_q15(m), s = ((m >> 16) * y) >> 15; /* Q16 */
   int32_t rest;
   if (s > 0xffffu) s = 0xffffu;

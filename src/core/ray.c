@@ -10,14 +10,6 @@
 
 #define NO_PRIMITIVE UINT16_C(0xffff)
 
-static bool load(const fc_vec3 *v, int64_t r[3]) {
-  r[0] = v->x;
-  r[1] = v->y;
-  r[2] = v->z;
-  return fc_abs32(v->x) <= (uint32_t)FC_COORDINATE_MAX && fc_abs32(v->y) <= (uint32_t)FC_COORDINATE_MAX &&
-         fc_abs32(v->z) <= (uint32_t)FC_COORDINATE_MAX;
-}
-
 static int32_t clamp(int64_t v) {
   if (v > FC_COORDINATE_MAX) return FC_COORDINATE_MAX;
   return v < -FC_COORDINATE_MAX ? -FC_COORDINATE_MAX : (int32_t)v;
@@ -69,13 +61,13 @@ static bool nearer(void *context, const fc_cursor *at, uint16_t index) {
   test->best = first;
   test->found = primitive;
   if (test->reach != NULL) {
-    test->reach->limit = fc_root_value(&first);
+    test->reach->limit = fc_root_quick(&first);
     test->reach->limited = true;
   }
   return false;
 }
 
-uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const int64_t direction[3], uint64_t t_min_q32,
+FC_COLD uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const int64_t direction[3], uint64_t t_min_q32,
                           uint64_t t_max_q32, fc_root *nearest) {
   nearest_test test;
   fc_reach reach;
@@ -91,17 +83,20 @@ uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const 
   reach.corners = 0;
   reach.radius = 0;
   reach.limited = test.bounded && t_max_q32 != UINT64_MAX;
-  if (reach.limited) reach.limit = fc_num_from_u64(t_max_q32, -32);
+  if (reach.limited) reach.limit = fc_quick_from(t_max_q32, -32);
   (void)fc_space_search(space, &reach, nearer, &test);
   if (test.found != NO_PRIMITIVE && nearest != NULL) *nearest = test.best;
   return test.found;
 }
 
-void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
-  const int64_t *n = surface->normal;
-  fc_num length = fc_length(n), t = fc_root_value(&surface->root);
+FC_COLD void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
+  int64_t n[3], point[3];
+  fc_num length, t = fc_root_value(&surface->root);
   int32_t unit[3];
   uint8_t i;
+  (void)fc_point_at(t, surface->origin, surface->direction, point);
+  (void)fc_kind_of(&surface->at)->normal(&surface->form, &surface->prepared, point, n);
+  length = fc_length(n);
   for (i = 0; i < 3; i++) {
     int32_t q = 0;
     if (length.m != 0) q = (int32_t)fc_num_round(fc_num_div(fc_num_from_u64(fc_abs64(n[i]), 0), length), 30);
@@ -122,7 +117,7 @@ void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {
   hit->inside = surface->inside;
 }
 
-int fc_intersect(const fc_scene *scene_rom, const fc_ray *ray, fc_hit *hit) {
+FC_COLD int fc_intersect(const fc_scene *scene_rom, const fc_ray *ray, fc_hit *hit) {
   fc_scene scene;
   fc_space space;
   fc_surface surface;
@@ -130,7 +125,7 @@ int fc_intersect(const fc_scene *scene_rom, const fc_ray *ray, fc_hit *hit) {
   int64_t origin[3], direction[3];
   uint16_t nearest;
   if (scene_rom == NULL || ray == NULL || hit == NULL) return FC_ERR_NULL;
-  if (!load(&ray->origin, origin) || !load(&ray->direction, direction)) return FC_ERR_COORDINATE;
+  if (!fc_load(&ray->origin, origin) || !fc_load(&ray->direction, direction)) return FC_ERR_COORDINATE;
   if ((direction[0] | direction[1] | direction[2]) == 0) return FC_ERR_DIRECTION;
   FC_READ(&scene, scene_rom, sizeof scene);
   space = fc_space_of_world(&scene);
@@ -143,16 +138,15 @@ int fc_intersect(const fc_scene *scene_rom, const fc_ray *ray, fc_hit *hit) {
   return 1;
 }
 
-int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to) {
+FC_COLD int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to) {
   fc_scene scene;
   fc_space space;
   fc_segment segment;
   if (scene_rom == NULL || from == NULL || to == NULL) return FC_ERR_NULL;
-  if (!load(from, segment.point) || !load(to, segment.light)) return FC_ERR_COORDINATE;
+  if (!fc_load(from, segment.point) || !fc_load(to, segment.light)) return FC_ERR_COORDINATE;
   FC_READ(&scene, scene_rom, sizeof scene);
   space = fc_space_of_world(&scene);
   segment.point_error = 0;
-  segment.point_valid = true;
   segment.outside = false;
   segment.root = NULL;
   segment.direction = NULL;
@@ -160,7 +154,7 @@ int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_vec3 *to
   return fc_space_blocked(&space, &segment, NO_PRIMITIVE);
 }
 
-int fc_offset(const fc_scene *scene_rom, const fc_hit *hit, int rule, int32_t epsilon, fc_vec3 *point) {
+FC_COLD int fc_offset(const fc_scene *scene_rom, const fc_hit *hit, int rule, int32_t epsilon, fc_vec3 *point) {
   fc_scene scene;
   fc_space space;
   fc_surface surface;
@@ -168,12 +162,13 @@ int fc_offset(const fc_scene *scene_rom, const fc_hit *hit, int rule, int32_t ep
   uint16_t index;
   if (scene_rom == NULL || hit == NULL || point == NULL) return FC_ERR_NULL;
   if (rule < FC_OFFSET_EXACT || rule > FC_OFFSET_NONE) return FC_ERR_FORMAT;
-  if (epsilon < 0 || epsilon > FC_COORDINATE_MAX || !load(&hit->position, surface.point)) return FC_ERR_COORDINATE;
+  if (epsilon < 0 || epsilon > FC_COORDINATE_MAX || !fc_load(&hit->position, surface.point)) return FC_ERR_COORDINATE;
   FC_READ(&scene, scene_rom, sizeof scene);
   space = fc_space_of_world(&scene);
   if (!fc_cursor_find(&surface.at, &space, hit->primitive, &index)) return FC_ERR_INDEX;
   fc_kind_of(&surface.at)->fetch(&surface.at.group, index, &surface.form);
   surface.inside = hit->inside;
+  surface.point_error = 1;
   /* normal_q30 is turned to the ray's side; a surface's own normal is not */
   surface.normal[0] = hit->inside ? -hit->normal_q30.x : hit->normal_q30.x;
   surface.normal[1] = hit->inside ? -hit->normal_q30.y : hit->normal_q30.y;

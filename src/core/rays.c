@@ -33,7 +33,7 @@ static uint16_t resolve(const fc_frame *frame, const fc_space *space, uint16_t p
   return nearest;
 }
 
-int fc_render_rows_by_rays(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+FC_COLD int fc_render_rows_by_rays(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
   fc_space space;
   uint16_t px, py;
   uint8_t most[3], background[4];
@@ -78,7 +78,7 @@ static void rotate_to_world(const fc_view *view, fc_vec3 *n_q30) {
   n_q30->z = out[2];
 }
 
-int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t *lit) {
+FC_COLD int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t *lit) {
   fc_space space;
   fc_surface surface;
   int64_t d[3];
@@ -112,7 +112,7 @@ int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, uint32_t
   return 1;
 }
 
-uint16_t fc_object(const fc_frame *frame, uint16_t primitive) {
+FC_COLD uint16_t fc_object(const fc_frame *frame, uint16_t primitive) {
   fc_space space = fc_space_of_frame(frame);
   fc_cursor cursor;
   fc_form form;

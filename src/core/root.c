@@ -13,12 +13,23 @@ FC_COLD fc_num fc_root_value(const fc_root *root) {
   return fc_num_div(fc_num_from_abs(root->c), s);
 }
 
+static FC_COLD fc_quick quick_abs(const fc_i128 *v) {
+  fc_i128 a = fc_i128_abs(*v);
+  return fc_quick_add(fc_quick_from(a.hi, 64), fc_quick_from(a.lo, 0));
+}
+
 FC_COLD fc_quick fc_root_quick(const fc_root *root) {
-  fc_num t = fc_root_value(root);
-  fc_quick q;
-  q.m = (uint32_t)(t.m >> 31);
-  q.e = (int16_t)(t.e + 31);
-  return q;
+  /* as above; p, d, m and c within 2^-29, their root and the reciprocal within 2^-26 */
+  fc_quick s = quick_abs(&root->p), over = quick_abs(&root->m), d = quick_abs(&root->d);
+  int8_t sign = fc_i128_sign(root->p);
+  if (d.m != 0) {
+    s = fc_quick_add(s, fc_quick_mul(d, fc_quick_rsqrt(d)));
+    if (sign != root->q && sign != 0) {
+      over = s;
+      s = quick_abs(&root->c);
+    }
+  }
+  return fc_quick_mul(s, fc_quick_recip(over));
 }
 
 /* A value's magnitude, within 2^-30: four limbs have at least 49 bits. */
@@ -34,16 +45,19 @@ static FC_COLD fc_quick magnitude(const fc_wide *w, uint8_t i) {
 
 /* The sign by value, 0 when that leaves it open. */
 static FC_COLD int8_t quick_sign(const fc_wide *w, fc_quick t) {
-  /* Positive and negative terms apart, each within 2^-26: a factor t within 2^-29, products and sums within 2^-30. */
+  /* Positive and negative terms apart, each within 2^-22.8: a factor t within 2^-24, products and sums within 2^-30. */
   fc_quick sum[2] = {{0, 0}, {0, 0}}, power = fc_quick_from(1, 0);
-  uint8_t i, more;
+  uint8_t i;
   for (i = (uint8_t)(w->count - 3); i < w->count; i++) {
     fc_quick *to = &sum[w->sign[i] < 0];
     if (w->sign[i] != 0) *to = fc_quick_add(*to, fc_quick_mul(power, magnitude(w, i)));
     power = fc_quick_mul(power, t);
   }
-  more = fc_quick_less(sum[0], sum[1]);
-  return !fc_quick_less(fc_quick_add(sum[1 - more], fc_quick_scale(sum[more], -22)), sum[more]) ? 0 : more ? -1 : 1;
+  for (i = 0; i < 2; i++) {
+    fc_quick less = fc_quick_add(sum[1 - i], fc_quick_scale(sum[i], -20));
+    if (fc_quick_less(less, sum[i])) return i == 0 ? 1 : -1;
+  }
+  return 0;
 }
 
 FC_COLD int8_t fc_root_sign(const fc_root *root, fc_quick t, fc_wide *w, fc_decision decision) {

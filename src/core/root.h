@@ -25,7 +25,7 @@ typedef struct fc_root {
 /* t > 0 as a value, relative error below 2^-58. */
 fc_num fc_root_value(const fc_root *root);
 
-/* The same, within 2^-29. */
+/* The same, within 2^-24.5. */
 fc_quick fc_root_quick(const fc_root *root);
 
 /* The sign of gamma + beta t + alpha t^2, exact: the last three values of the list, which is used up. t: fc_root_quick, or 0 to

@@ -20,7 +20,7 @@ static bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3
   return fc_kind_of(scan->at)->test(prepared, d, root) != 0;
 }
 
-bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
+FC_COLD bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
   fc_prepared prepared;
   fc_root root;
   int64_t d[3];
@@ -38,7 +38,7 @@ bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
   return true;
 }
 
-void fc_scan_slowly(fc_scan *scan) {
+FC_COLD void fc_scan_slowly(fc_scan *scan) {
   uint16_t row, column;
   for (row = scan->first_row; row <= scan->last_row; row++) {
     if (fc_scan_skips(scan, row)) continue;
@@ -48,7 +48,7 @@ void fc_scan_slowly(fc_scan *scan) {
 }
 
 /* The surface point behind a visible pixel. */
-static void surface_at(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_surface *surface) {
+static FC_COLD void surface_at(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_surface *surface) {
   surface->at = *scan->at;
   surface->form = *scan->form;
   surface->primitive = scan->primitive;
@@ -58,7 +58,7 @@ static void surface_at(const fc_scan *scan, uint16_t row, uint16_t column, int64
   fc_surface_complete(surface);
 }
 
-bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column) {
+FC_COLD bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_surface surface;
   int64_t d[3];
@@ -67,7 +67,7 @@ bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column) {
   return fc_light_reaches(scan->frame, &space, &surface, scan->frame->lights);
 }
 
-bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const fc_kind *kind, const fc_form *occluder) {
+FC_COLD bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const fc_kind *kind, const fc_form *occluder) {
   fc_surface surface;
   fc_segment segment;
   int64_t d[3];
@@ -77,7 +77,7 @@ bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const f
   return kind->blocked(occluder, &segment);
 }
 
-int8_t fc_scan_far(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t p, uint32_t error) {
+FC_COLD int8_t fc_scan_far(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t p, uint32_t error) {
   /* near / z = p / 2^30 and |D| far = z |D| / F: within iff p^2 far^2 F^2 >= 2^60 near^2 |D|^2. As far_scale is
    * near^2 2^60 / (far^2 F^2) times 2^(28 - far_shift): p^2 / 2^28 against |D|^2 far_scale. */
   const fc_frame *frame = scan->frame;
@@ -101,7 +101,7 @@ int8_t fc_scan_far(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t 
 
 /* ---- depth ---- */
 
-void fc_coder_start(fc_coder *coder, const fc_frame *frame, int16_t drop, uint32_t p) {
+FC_COLD void fc_coder_start(fc_coder *coder, const fc_frame *frame, int16_t drop, uint32_t p) {
   /* p in 2^29 .. 2^30-1 with no drop is the highest octave, number 2^e_bits - 1 */
   uint8_t e_bits = frame->depth_exponent_bits, m_bits = (uint8_t)(16 - e_bits);
   int32_t octave = (INT32_C(1) << e_bits) - 1 - drop;
@@ -120,7 +120,7 @@ static bool within_far(const fc_frame *frame, int32_t low, int32_t margin, uint8
 }
 
 /* One pixel of a row that may need care: the far limit, another octave, a rounding left open. */
-static bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t column, int32_t p, uint8_t gain, uint32_t error,
+static FC_COLD bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t column, int32_t p, uint8_t gain, uint32_t error,
                          bool clip, fc_coder *coder) {
   const int32_t margin = (int32_t)error, limit = INT32_C(1) << (30 - gain);
   uint16_t *depth = fc_scan_depth(scan, row, column);
@@ -150,22 +150,26 @@ static bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t column, int
 
 /* Up to 32 pixels in one octave and within the far limit, as depth codes with 16 fraction bits, half and open / 2 added;
  * returns those shown: 1 is the first. */
-static FC_NOINLINE uint32_t affine_codes(const fc_scan *scan, uint16_t row, uint16_t column, uint8_t count, uint32_t at,
-                                         uint32_t step, uint32_t open) {
-  uint16_t *depth = fc_scan_depth(scan, row, column), *end = depth + count;
-  uint32_t bits = 0, bit = 1;
+static FC_HOT uint32_t affine_codes(const fc_scan *scan, uint16_t row, uint16_t column, uint8_t count, uint32_t at,
+                                    uint32_t step, uint32_t open) {
+  uint16_t *const first = fc_scan_depth(scan, row, column), *depth = first;
+  const uint8_t spare = (uint8_t)(32 - count);
+  /* the last pixel's is the highest bit, so that the loop ends when the bit is shifted out */
+  uint32_t bits = 0, bit = UINT32_C(1) << spare;
+  open <<= 16;
   do {
-    uint32_t code = at >> 16, there = *depth;
-    if ((at & 0xffffu) <= open || code == there) {
-      if (fc_scan_exact(scan, row, (uint16_t)(column + count - (end - depth)))) bits |= bit;
-    } else if (code > there) {
+    uint32_t code = at >> 16;
+    if (at << 16 > open && code > *depth) {
       *depth = (uint16_t)code;
       bits |= bit;
+    } else if (at << 16 <= open || code == *depth) {
+      if (fc_scan_exact(scan, row, (uint16_t)(column + (depth - first)))) bits |= bit;
     }
     at += step;
+    depth++;
     bit <<= 1;
-  } while (++depth != end);
-  return bits;
+  } while (bit != 0);
+  return bits >> spare;
 }
 
 /* Depth codes of pixels in one octave, with 16 fraction bits, half and open / 2 added, and the step between them. */
@@ -176,10 +180,15 @@ typedef struct affine_form {
 static void set_codes(affine_form *form, uint64_t at, int64_t step, uint16_t count, uint32_t error, const fc_coder *coder) {
   /* p / 2^shift in 2^-16; p has 32 fraction bits, of which shift + 16 are dropped */
   const uint8_t drop = (uint8_t)(16 + coder->shift);
+  int64_t rounded;
+  uint32_t rest;
   form->at = (uint32_t)(at >> drop) + ((uint32_t)coder->base << 16);
-  form->step = (uint32_t)(uint64_t)fc_floor_shift64(step + (INT64_C(1) << (drop - 1)), drop);
-  /* twice: the error of p, a floor, and a half for each step's rounding */
-  form->open = 2 * ((uint32_t)(((uint64_t)error << 16) >> coder->shift) + 2) + count;
+  rounded = fc_floor_shift64(step + (INT64_C(1) << (drop - 1)), drop);
+  form->step = (uint32_t)(uint64_t)rounded;
+  /* what rounding takes from a step, at most half: 2^-8 of a unit, floored */
+  rest = (uint32_t)(fc_abs64(fc_to_i64((uint64_t)step - ((uint64_t)rounded << drop))) >> (drop - 8));
+  /* twice: the error of p, a floor, and the steps' */
+  form->open = 2 * ((uint32_t)(((uint64_t)error << 16) >> coder->shift) + 2) + ((rest + 1) * count >> 7) + 1;
   form->at += 0x8000u + form->open / 2;
   if (form->open > 0x8000u) form->open = 0xffffu; /* as fc_coder_open */
 }
@@ -292,7 +301,7 @@ void fc_scan_unlit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t 
     if (bits & 1) fill(scan, to, scan->tint.unlit);
 }
 
-void fc_tint_put_any(const fc_tint *tint, uint32_t cosine, uint8_t *to) {
+FC_COLD void fc_tint_put_any(const fc_tint *tint, uint32_t cosine, uint8_t *to) {
   uint8_t level[3], i;
   for (i = 0; i < 3; i++) {
     uint32_t v = fc_tint_level(tint, i, cosine);
@@ -309,7 +318,7 @@ void fc_scan_lit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bi
     if (bits & 1) *lit = 1;
 }
 
-void fc_scan_shade_slowly(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
+FC_COLD void fc_scan_shade_slowly(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
   size_t at = (size_t)(scan->y - scan->strip + row) * scan->frame->width + scan->x + column;
   fc_space space = fc_space_of_frame(scan->frame);
   for (; bits != 0; bits >>= 1, column++, at++) {
@@ -348,7 +357,7 @@ bool fc_scan_wants_light(const fc_scan *scan, uint16_t row, uint16_t column, uin
 }
 
 /* Reflectance times light, both Q15, in levels with FC_TINT_BITS of fraction, rounded; below 2^32 or it saturates. */
-static uint32_t levels(uint16_t reflectance, uint64_t light, uint8_t most, uint8_t down) {
+static FC_COLD uint32_t levels(uint16_t reflectance, uint64_t light, uint8_t most, uint8_t down) {
   /* 17 + 56 bits would overflow: lights that bright are cut */
   uint64_t product;
   if (light <= UINT16_MAX && reflectance <= FC_ONE_Q15) {
@@ -382,7 +391,7 @@ static bool flat_tint(const fc_frame *frame, fc_tint *tint, const fc_material *m
 }
 
 /* What the primitive's material makes of the light. */
-void fc_scan_tint(fc_scan *scan) {
+FC_COLD void fc_scan_tint(fc_scan *scan) {
   const fc_frame *frame = scan->frame;
   fc_tint *tint = &scan->tint;
   fc_material material;
@@ -425,7 +434,7 @@ void fc_scan_tint(fc_scan *scan) {
 
 /* ---- strips ---- */
 
-static void draw(fc_scan *scan, const fc_window *box, uint16_t rows) {
+static FC_COLD void draw(fc_scan *scan, const fc_window *box, uint16_t rows) {
   int32_t strip_end = (int32_t)scan->strip + rows - 1, x;
   for (x = box->x0; x <= box->x1; x += FC_SCAN_WORDS * 32) {
     int32_t columns = box->x1 - x + 1, y, end, high = FC_SCAN_ROWS;
@@ -449,7 +458,7 @@ static void draw(fc_scan *scan, const fc_window *box, uint16_t rows) {
 }
 
 /* Fills memory with a pattern of two 16-bit values, words at a time where it is aligned. */
-static void fill_pairs(uint8_t *to, size_t bytes, const uint8_t pattern[4]) {
+static FC_HOT void fill_pairs(uint8_t *to, size_t bytes, const uint8_t pattern[4]) {
   uint8_t *end = to + bytes;
   uint32_t word;
   memcpy(&word, pattern, sizeof word);
@@ -467,7 +476,7 @@ static void fill_pairs(uint8_t *to, size_t bytes, const uint8_t pattern[4]) {
   }
 }
 
-void fc_strip_clear(const fc_frame *frame, uint16_t rows, const fc_target *target) {
+FC_COLD void fc_strip_clear(const fc_frame *frame, uint16_t rows, const fc_target *target) {
   static const uint8_t zero[4] = {0, 0, 0, 0}, ones[4] = {0xff, 0xff, 0xff, 0xff};
   size_t pixels = (size_t)rows * frame->width;
   uint16_t x, y;
@@ -495,7 +504,7 @@ void fc_strip_clear(const fc_frame *frame, uint16_t rows, const fc_target *targe
   }
 }
 
-int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+FC_COLD int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
   int pixel_bytes;
   if (frame == NULL || target == NULL || target->pixels == NULL || target->depth == NULL) return FC_ERR_NULL;
   pixel_bytes = fc_format_bytes(target->format);
@@ -506,7 +515,7 @@ int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_t
   return pixel_bytes;
 }
 
-void fc_scan_each(fc_scan *scan, uint16_t rows) {
+FC_COLD void fc_scan_each(fc_scan *scan, uint16_t rows) {
   const fc_group *group = &scan->at->group;
   const fc_kind *kind = fc_kind_of(scan->at);
   for (scan->index = 0; scan->index < group->shapes.count; scan->index++) {

@@ -1,8 +1,9 @@
 /* The scan engine on infinite planes: 1 / z is affine, and the horizon is where its sign changes. */
+#include "bits.h"
 #include "planar.h"
 #include "scan_kinds.h"
 
-void fc_plane_draw(fc_scan *scan) {
+FC_COLD void fc_plane_draw(fc_scan *scan) {
   const fc_placed_plane *placed = (const fc_placed_plane *)scan->at->group.memory + scan->index;
   const int64_t *n = scan->form->u.plane.normal;
   uint16_t row;
@@ -27,7 +28,7 @@ void fc_plane_draw(fc_scan *scan) {
   fc_planar_light(scan, n, fc_i128_from(scan->form->u.plane.k), NULL, 0);
 }
 
-void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
+FC_COLD void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
   fc_placed_plane *placed = memory;
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
@@ -59,7 +60,7 @@ void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memo
   }
 }
 
-bool fc_plane_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box) {
+FC_COLD bool fc_plane_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box) {
   (void)group;
   (void)index;
   box->x0 = box->y0 = 0;
@@ -68,33 +69,27 @@ bool fc_plane_window(const fc_frame *frame, const fc_group *group, uint16_t inde
   return true;
 }
 
-void fc_plane_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
+FC_COLD void fc_plane_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   (void)receiver;
   fc_planar_ask(scan, kind, form);
 }
 
-bool fc_plane_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
+FC_COLD bool fc_plane_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                       int64_t radius, fc_window *window) {
   /* 62 and 30 + 30 + 2 bits; lights of the scan engine are within 2^30 */
   const int64_t *n = form->u.plane.normal;
   int64_t ball = form->u.plane.k - fc_small_dot(n, center), lamp = form->u.plane.k - fc_small_dot(n, light), foot[3];
-  uint8_t how = fc_ball_to_plane(n, (int64_t)fc_abs64(ball), radius), i;
-  window->x0 = window->y0 = 0;
-  window->x1 = frame->width - 1;
-  window->y1 = frame->height - 1;
-  if (how == FC_BALL_CUTS) return true;
+  int64_t dip = fc_ball_foot(n, form->u.plane.unit, ball, center, radius, foot);
+  (void)fc_plane_window(frame, NULL, 0, window);
   /* the center is strictly on one side: a point of the ball there is kept from no light on that side, or on the plane */
   if (fc_sign64(ball) * fc_sign64(lamp) < 0) return true;
-  if (how == FC_BALL_CLEAR) return false;
-  /* The part below the plane is within sqrt(2 r dip) < r / 32 of the foot of the center. */
-  for (i = 0; i < 3; i++) {
-    int64_t move = fc_floor_shift64((int64_t)form->u.plane.unit[i] * radius, 30);
-    foot[i] = center[i] + (ball < 0 ? -move : move);
-  }
-  return fc_ball_window(frame, foot, (radius >> 4) + 4, window);
+  if (dip <= 0) return false;
+  if (dip > radius) return true;
+  /* The part below the plane is within sqrt(2 r dip) of the foot of the center. */
+  return fc_ball_window(frame, foot, (int64_t)fc_sqrt64(2 * (uint64_t)(radius * dip)) + 4 * fc_ball_margin(radius) + 4, window);
 }
 
-int8_t fc_plane_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+FC_COLD int8_t fc_plane_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
   /* sides: 62 and 30 + 30 + 2 bits; an error moves them by up to |n|_1 of it, below 2^52 */
   const int64_t *n = form->u.plane.normal;
   int64_t lamp = form->u.plane.k - fc_small_dot(n, light), wide[3], side;

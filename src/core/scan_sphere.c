@@ -8,14 +8,14 @@
 
 static uint16_t clamp_pixel(int32_t v, uint16_t size) { return v < 0 ? 0 : v >= size ? (uint16_t)(size - 1) : (uint16_t)v; }
 
-static void set_window(const fc_frame *frame, const fc_window *box, fc_placed_window *window) {
+static FC_COLD void set_window(const fc_frame *frame, const fc_window *box, fc_placed_window *window) {
   window->x0 = clamp_pixel(box->x0, frame->width);
   window->x1 = clamp_pixel(box->x1, frame->width);
   window->y0 = clamp_pixel(box->y0, frame->height);
   window->y1 = clamp_pixel(box->y1, frame->height);
 }
 
-void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
+FC_COLD void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
   fc_placed_sphere *placed = memory;
   int64_t limit = (int64_t)fc_num_round(fc_num_from_u64((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame)), 0);
   uint16_t i;
@@ -67,11 +67,13 @@ bool fc_sphere_window(const fc_frame *frame, const fc_group *group, uint16_t ind
  */
 typedef struct ball_light {
   int32_t at, dx, dy;     /* D.(L - C) near / (F r l) at the tile's first pixel and its steps, times a power of two */
-  int16_t shift;          /* s + s0 = that * 2^31 / m / 2^(16 + shift) / 2^24, m the first 16 bits of p; less p's octave */
-  int32_t away, h, sum;   /* Q24; away = s0 + h, sum = 1 + h^2 */
-  int32_t margin;         /* Q24: bound on the error of s from 16 bits of p */
+  int16_t shift;          /* s + s0 = that * 2^31 / m / 2^(16 + shift) / 2^22, m the first 16 bits of p; less p's octave */
+  int32_t away, h, sum;   /* Q22; away = s0 + h, sum = 1 + h^2 */
+  int32_t margin;         /* Q22: bound on the error of s from 16 bits of p */
   int32_t fine_margin;    /* ... and refined */
   uint8_t octave, octaves; /* p of fewer bits, or octaves or more above them, is left to the ray engine */
+  uint8_t width;          /* cosine[i]: Q15, at s - h = i 2^width in Q22 */
+  uint16_t cosine[66];
   fc_quick depth;         /* near 2^(30 + drop) / F: over p it is t */
   uint8_t occluders;      /* MANY: more than the list holds */
   struct {
@@ -80,7 +82,7 @@ typedef struct ball_light {
   } occluder[8];
 } ball_light;
 
-enum { LIGHT_AWAY, LIGHT_FORMS, LIGHT_SLOW };
+enum { LIGHT_UNKNOWN, LIGHT_FORMS, LIGHT_SLOW };
 #define MANY 255
 
 typedef struct occluder_list {
@@ -110,7 +112,7 @@ static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
   return false;
 }
 
-static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
+static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_reach reach;
   occluder_list list;
@@ -125,8 +127,35 @@ static FC_NOINLINE void find_occluders(const fc_scan *scan, ball_light *light) {
   (void)fc_space_search(&space, &reach, add_occluder, &list);
 }
 
+/* The cosines that shade_row needs; false when there would be too many. */
+static FC_COLD bool set_cosines(ball_light *light) {
+  /*
+   * (s - h) / sqrt(q), q = 1 + h^2 - 2 s h, bends by 2 h q^-3/2 + 3 h^2 (s - h) q^-5/2, most at s = 1. With g = 1 - h a chord over
+   * w is off by w^2 / 8 (2 h g + 3 h^2) / g^4 at most: 2^-11 when w^2 (2 h g + 3 h^2) <= 2^-8 g^4. (Half of it more up to w behind
+   * s = 1, as q^-5/2 grows by a fifth there.)
+   */
+  const uint32_t whole = (UINT32_C(1) << 22) - (uint32_t)light->h, h = (uint32_t)light->h >> 7, g = whole >> 7; /* Q15 */
+  /* w^2 (2 h g + 3 h^2) 2^8, w = 1/4, and g^4 in Q20; products are Q30, below 2.1 */
+  uint32_t bend = (2 * g + 3 * h) * h >> 6, least = (g * g >> 15) * (g * g >> 15) >> 10, e, i;
+  uint8_t width = 20;
+  while (bend > least) {
+    bend >>= 2;
+    width--;
+  }
+  if (whole >> width >= FC_COUNT_OF(light->cosine) - 1) return false;
+  light->width = width;
+  for (i = 0, e = 0; i <= (whole >> width) + 1; i++, e += UINT32_C(1) << width) {
+    /* Q15 * Q15; at least (1 - h)^2 - 2 h w > 2^-5 */
+    uint32_t x = (uint32_t)light->sum - ((((e + (uint32_t)light->h) >> 7) * h) >> 7);
+    uint8_t up = 15;
+    for (x <<= 8; x < UINT32_C(1) << 30; x <<= 2) up--;
+    light->cosine[i] = (uint16_t)((((e >> 7) * fc_rsqrt_q15(x)) >> up) >> 1); /* below 1.5 */
+  }
+  return true;
+}
+
 /* p: near / z = p / 2^(30 + drop), off by at most `error`. */
-static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop, uint32_t error) {
+static FC_COLD uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop, uint32_t error) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, l[3], at, most, center_light;
   int32_t s0;
@@ -144,23 +173,24 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
   inverse = fc_quick_rsqrt(fc_quick_from(square, 0)); /* 1 / l */
   ratio = fc_quick_mul(inverse, fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0));
   if (!fc_quick_less(ratio, near)) return LIGHT_SLOW;
-  light->h = fc_quick_to_int(ratio, 24);
-  /* 1 + h^2 - 2 s h is cut to 2^-13.4; from (1 - h)^2 = 2^-4 on that costs the cosine 2^-10 of itself */
-  if (light->h > (INT32_C(3) << 22)) return LIGHT_SLOW;
-  light->sum = (INT32_C(1) << 24) + (int32_t)(fc_smul32(light->h, light->h) >> 24);
+  light->h = fc_quick_to_int(ratio, 22);
+  /* 1 + h^2 - 2 s h, at least (1 - h)^2, is cut to 2^-14; from 2^-4 on that costs the cosine 2^-11 of itself */
+  if (light->h > (INT32_C(3) << 20)) return LIGHT_SLOW;
+  light->sum = (INT32_C(1) << 22) + (int32_t)(fc_smul32(light->h, light->h) >> 22);
+  if (!set_cosines(light)) return LIGHT_SLOW;
   inverse = fc_quick_mul(inverse, fc_quick_recip(fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0))); /* 1 / (r l) */
   center_light = fc_small_dot(c, l); /* 30 + 31 bits and two: below 2^63 */
   unit = fc_quick_mul(inverse, fc_quick_from(fc_abs64(center_light), 0));
   if (!fc_quick_less(unit, fc_quick_from(64, 0))) return LIGHT_SLOW;
-  s0 = fc_quick_times(inverse, center_light, 24);
+  s0 = fc_quick_times(inverse, center_light, 22);
   light->away = s0 + light->h;
-  light->fine_margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 24)) >> 19) + 64;
-  light->margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 24)) >> 13) + 64;
+  light->fine_margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 22)) >> 19) + 16;
+  light->margin = (int32_t)((fc_abs32(s0) + (UINT32_C(1) << 22)) >> 13) + 16;
   /* The cosine grows by (1 - s h) / (1 + h^2 - 2 s h)^(3/2) <= 1 / (1 - h)^2 times an error of s, which may cost 2^-9, half a
    * level in 255: if 16 bits of p do not do, all are refined. */
-  gap = (uint32_t)((INT32_C(1) << 24) - light->h) >> 9;
-  if (light->fine_margin >= (int32_t)(gap * gap >> 15)) return LIGHT_SLOW;
-  if (light->margin >= (int32_t)(gap * gap >> 15)) light->margin = INT32_MAX;
+  gap = (uint32_t)((INT32_C(1) << 22) - light->h) >> 7;
+  if (light->fine_margin >= (int32_t)(gap * gap >> 17)) return LIGHT_SLOW;
+  if (light->margin >= (int32_t)(gap * gap >> 17)) light->margin = INT32_MAX;
   /* D below 2^30, l below 2^31: sums of three below 2^63 */
   at = fc_small_dot(d, l);
   most = (int64_t)fc_abs64(at) / 2 + (int64_t)fc_abs64(l[0] * step) / 2 * scan->columns +
@@ -175,12 +205,12 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
   light->at = fc_quick_times(unit, at, shift);
   light->dx = fc_quick_times(unit, l[0] * step, shift);
   light->dy = fc_quick_times(unit, -l[1] * step, shift);
-  shift = (int16_t)(shift - 54 - drop);
-  /* p's error may cost 2^-20 of s + s0, and octave + shift is a shift of -8 .. 31; a floor before the former is 2^-16, below
+  shift = (int16_t)(shift - 52 - drop);
+  /* p's error may cost 2^-20 of s + s0, and octave + shift is a shift of 0 .. 31; a floor before the former is 2^-16, below
    * the margins where s0 is that large */
   lowest = (int16_t)(20 + fc_bits64(error));
   highest = 31;
-  if (lowest < -shift - 8) lowest = (int16_t)(-shift - 8);
+  if (lowest < -shift) lowest = (int16_t)-shift;
   if (highest > 31 - shift) highest = (int16_t)(31 - shift);
   if (lowest > highest) return LIGHT_SLOW;
   light->octave = (uint8_t)lowest;
@@ -190,7 +220,7 @@ static FC_NOINLINE uint8_t set_light(const fc_scan *scan, ball_light *light, int
 }
 
 /* The point that a pixel with this p shows: t D with t = near 2^(30 + drop) / (p F); returns a bound of its error an axis. */
-static uint32_t point_at(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p,
+static FC_COLD uint32_t point_at(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p,
                          int32_t point[3]) {
   fc_quick t = fc_quick_mul(fc_quick_recip(fc_quick_from(p, 0)), light->depth);
   int64_t d[3];
@@ -224,7 +254,7 @@ static bool hides_pixel(void *context, const fc_cursor *at, uint16_t index) {
   return hides > 0 || (hides < 0 && fc_scan_blocked(q->scan, q->row, q->column, kind, &form));
 }
 
-static FC_NOINLINE bool occluded_by_any(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
+static FC_COLD bool occluded_by_any(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
   fc_space space = fc_space_of_frame(scan->frame);
   pixel_question question;
   fc_reach reach;
@@ -244,7 +274,7 @@ static FC_NOINLINE bool occluded_by_any(const fc_scan *scan, const ball_light *l
 }
 
 /* Whether an occluder in the list keeps the light away from the pixel with this p. */
-static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
+static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_cursor cursor;
   int32_t point[3];
@@ -271,145 +301,76 @@ static bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row,
   return false;
 }
 
-/* v / 2^down, floored, for down from -8: what is scaled up is below 2^30 after it. */
-static inline int32_t scaled_back(int32_t v, int16_t down) {
-  return down >= 0 ? fc_floor_shift32(v, (uint8_t)down) : v * (INT32_C(1) << -down);
-}
-
-/* s - h of pixels whose p is in one octave, for face_octave. */
-typedef struct facing {
-  uint32_t low, margin;
-  int32_t dx, away;
-  uint8_t cut, down;
-} facing;
-
-/* v / p times 2^cut 2^31 / 2^16, v within 2^30: a product of 31 and 16 bits. */
-static inline int32_t over(int32_t v, uint32_t p, uint8_t cut) {
-  uint32_t r = fc_recip_q31(p >> cut);
-  return fc_floor_shift32(v, 16) * (int32_t)r + (int32_t)((((uint32_t)v & 0xffffu) * r) >> 16);
+/* along 2^31 / v, v of that octave, less `away` */
+static inline int32_t over(int32_t along, uint32_t r, uint8_t down, int32_t away) {
+  /* along within 2^30, r within 2^16 */
+  int32_t e = fc_floor_shift32(along, 16) * (int32_t)r + (int32_t)((((uint32_t)along & 0xffffu) * r) >> 16);
+  return fc_floor_shift32(e, down) - away;
 }
 
 /* s - h of a pixel, refined. */
-static FC_NOINLINE int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
+static FC_COLD int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
   uint32_t r = fc_recip_q31(p >> (octave - 15));
-  int32_t s = over(along, p, (uint8_t)(octave - 15));
+  int32_t s = over(along, r, 0, 0);
   /* times 1 + rest with rest = 1 - x r, below 2^-13 */
   int32_t rest = (INT32_C(1) << 30) - (int32_t)fc_mulhi32(p << (31 - octave), r << 15);
   s += fc_floor_shift32(fc_floor_shift32(s, 17) * rest, 13);
-  return scaled_back(s, (int16_t)(octave + light->shift)) - light->away;
+  return fc_floor_shift32(s, (uint8_t)(octave + light->shift)) - light->away;
 }
 
-/* Turns p of the pixels from here on into s - h in Q24, until one leaves the octave, or `end`: marks those within the margin,
- * which keep their p, and those that turn away. */
-static FC_NOINLINE uint32_t *face_octave(const facing *of, int32_t along, uint32_t *p, const uint32_t *end, uint32_t bit,
-                                         uint32_t *close, uint32_t *dark) {
-  const uint32_t low = of->low, margin = of->margin;
-  const int32_t dx = of->dx, away = of->away;
-  const uint8_t cut = of->cut, down = of->down;
-  uint32_t near = 0, averted = 0;
-  do {
+/* Turns p of the pixels in `bits` into s - h in Q22; returns those that are within the margin, or out of reach, and in
+ * *averted those that do not face the light. */
+static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *p, uint32_t *averted) {
+  const int32_t dx = light->dx, away = light->away, margin = light->margin;
+  uint32_t low = 0, open = 0, dark = 0, bit = 1;
+  uint8_t octave = 0, down = 0, cut = 0;
+  for (; bits != 0; bits >>= 1, bit <<= 1, p++, along += dx) {
     uint32_t v = *p;
     int32_t e;
-    if (v - low >= low) break;
-    e = fc_floor_shift32(over(along, v, cut), down) - away;
-    if ((uint32_t)e + margin <= 2 * margin) {
-      near |= bit;
-    } else {
-      if (e < 0) averted |= bit;
-      *p = (uint32_t)e;
+    if (!(bits & 1)) continue;
+    if (v - low >= low) {
+      octave = (uint8_t)(31 - fc_clz32(v));
+      low = UINT32_C(1) << octave;
+      if ((uint8_t)(octave - light->octave) > light->octaves) {
+        low = 0;
+        open |= bit;
+        continue;
+      }
+      cut = (uint8_t)(octave - 15);
+      down = (uint8_t)(octave + light->shift);
     }
-    bit <<= 1;
-    along = fc_to_i32((uint32_t)along + (uint32_t)dx); /* one step more than there are pixels */
-  } while (++p != end);
-  *close |= near;
-  *dark |= averted;
-  return p;
-}
-
-/* Turns p of the pixels in `bits` into s - h in Q24 (of others, too); returns those that are within the margin, or out of
- * reach, and in *averted those that do not face the light. */
-static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *first, uint32_t *averted) {
-  uint32_t open = 0, dark = 0, close = 0, left, *p = first, *end = first;
-  facing of;
-  of.dx = light->dx;
-  of.away = light->away;
-  of.margin = (uint32_t)light->margin;
-  for (left = bits; left != 0; left >>= 1) end++;
-  while (p != end) {
-    uint32_t bit = UINT32_C(1) << (p - first), v = *p;
-    uint8_t octave;
-    int16_t down;
-    if (!(bits & bit)) {
-      p++;
-      continue;
+    e = over(along, fc_recip_q31(v >> cut), down, away);
+    if (e <= margin) {
+      if (e >= -margin) {
+        int32_t fine = light->fine_margin;
+        e = refined(light, along, v, octave);
+        if (e >= -fine && e <= fine) open |= bit;
+      }
+      if (e < 0) dark |= bit;
     }
-    octave = (uint8_t)(31 - fc_clz32(v)); /* what is shown has a p */
-    down = (int16_t)(octave + light->shift);
-    if ((uint8_t)(octave - light->octave) > light->octaves) {
-      open |= bit;
-      p++;
-    } else if (down < 0) {
-      close |= bit;
-      p++;
-    } else {
-      of.low = UINT32_C(1) << octave;
-      of.cut = (uint8_t)(octave - 15);
-      of.down = (uint8_t)down;
-      p = face_octave(&of, along + of.dx * (int32_t)(p - first), p, end, bit, &close, &dark);
-    }
-  }
-  for (p = first, left = close & bits; left != 0; left >>= 1, p++) {
-    int32_t e, fine = light->fine_margin;
-    uint32_t bit = UINT32_C(1) << (p - first);
-    if (!(left & 1)) continue;
-    e = refined(light, along + of.dx * (int32_t)(p - first), *p, (uint8_t)(31 - fc_clz32(*p)));
-    if (e >= -fine && e <= fine) open |= bit;
-    if (e < 0) dark |= bit;
     *p = (uint32_t)e;
   }
-  *averted = dark & bits & ~open;
+  *averted = dark & ~open;
   return open;
 }
 
-/* The cosine in Q16 from s - h = e > 0. */
-static inline uint32_t cosine_of(uint32_t e, uint32_t sum, uint32_t h, uint32_t start) {
-  /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
-  uint32_t g = (sum - (((e >> 8) + start) * h >> 6)) << 6;
-  uint8_t up = 15;
-  while (g < UINT32_C(1) << 30) {
-    g <<= 2;
-    up--;
-  }
-  e = ((e >> 9) * fc_rsqrt_q15(g)) >> up;
-  return e > 65536 ? 65536 : e;
-}
-
 /* Colours the pixels of a row in `bits` from s - h > 0 of each. */
-static FC_NOINLINE void shade_plain(const ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to) {
-  const uint32_t sum = (uint32_t)light->sum, h = (uint32_t)light->h >> 9, whole = (UINT32_C(1) << 24) - (uint32_t)light->h;
-  const uint32_t start = (uint32_t)light->h >> 8;
-  const uint32_t red = tint->base[0], green = tint->base[1], blue = tint->base[2];
-  const uint32_t red_slope = tint->slope[0], green_slope = tint->slope[1], blue_slope = tint->slope[2];
-  for (; bits != 0; bits >>= 1, to += 2, p++) {
-    uint32_t e = *p, packed;
+static FC_NOINLINE void shade_row(const ball_light *restrict light, const fc_tint *restrict tint, uint32_t bits,
+                                  const uint32_t *restrict p, uint8_t *restrict to, uint8_t pixel_bytes) {
+  const uint32_t whole = (UINT32_C(1) << 22) - (uint32_t)light->h;
+  const uint8_t width = light->width, rest = (uint8_t)(32 - width);
+  for (; bits != 0; bits >>= 1, to += pixel_bytes, p++) {
+    uint32_t e = *p, c; /* the cosine grows with e */
+    const uint16_t *at;
     if (!(bits & 1)) continue;
-    e = cosine_of(e > whole ? whole : e, sum, h, start);
-    packed = (red + red_slope * e) >> FC_TINT_BITS << 6;
-    packed = (packed | (green + green_slope * e) >> FC_TINT_BITS) << 5;
-    packed |= (blue + blue_slope * e) >> FC_TINT_BITS;
-    to[0] = (uint8_t)(packed >> 8);
-    to[1] = (uint8_t)packed;
+    if (e > whole) e = whole;
+    at = light->cosine + (e >> width);
+    /* a difference below 2^16, 15 bits of a width */
+    c = at[0];
+    c = 2 * c + (((at[1] - c) * ((e << rest) >> 17)) >> 14);
+    if (c >> 16) c = UINT32_C(1) << 16;
+    fc_tint_put(tint, c, to);
   }
-}
-
-/* The same in any format. */
-static FC_COLD void shade_any(const ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to,
-                              uint8_t pixel_bytes) {
-  const uint32_t whole = (UINT32_C(1) << 24) - (uint32_t)light->h;
-  for (; bits != 0; bits >>= 1, to += pixel_bytes, p++)
-    if (bits & 1)
-      fc_tint_put_any(tint, cosine_of(*p > whole ? whole : *p, (uint32_t)light->sum, (uint32_t)light->h >> 9,
-                                      (uint32_t)light->h >> 8), to);
 }
 
 /* Lights the pixels of a row in `bits`, given p of each and in `e` a copy that is used up. */
@@ -431,14 +392,11 @@ static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row
   if (dark != 0) fc_scan_unlit(scan, row, column, dark);
   bits &= ~(dark | open);
   fc_scan_lit(scan, row, column, bits);
-  if (scan->tint.plain)
-    shade_plain(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column));
-  else
-    shade_any(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column), scan->pixel_bytes);
+  shade_row(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column), scan->pixel_bytes);
 }
 
 /* The same among occluders, who are asked about the points. */
-static FC_NOINLINE void light_row_among(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column,
+static FC_COLD void light_row_among(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column,
                                         uint32_t bits, const uint32_t *p) {
   uint32_t e[32], rest;
   uint8_t i;
@@ -453,6 +411,10 @@ typedef struct sphere_forms {
   fc_cone cone;
   int64_t b, b_dx;      /* C.W in units of sqrt(f) with 32 more bits; in a word it may drift by half a unit a pixel */
   uint32_t b_step;
+  uint64_t bend;        /* 120 dxx */
+  uint32_t ddm;         /* for root_run */
+  uint32_t half;
+  uint8_t fine;
   int32_t outside;      /* high word of f below this: outside */
   int32_t inside;       /* above this: inside, and sqrt(f) is good */
   uint32_t error;       /* of p */
@@ -461,183 +423,159 @@ typedef struct sphere_forms {
   bool clip;
 } sphere_forms;
 
-/* Takes pixels beyond the far limit out of a run; returns those that it may cut. */
-static uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t row, uint16_t column, const uint32_t *ps,
-                         uint32_t *p, const uint32_t *end) {
-  uint32_t open = 0;
-  for (; p != end; p++) {
+/* Pixels that the forms leave to the ray engine. */
+static FC_COLD void draw_open(const fc_scan *scan, uint16_t row, uint16_t first, uint16_t end) {
+  for (; first < end; first++)
+    if (fc_scan_exact(scan, row, first) && fc_scan_wants_light(scan, row, first, 1)) fc_scan_shade_slowly(scan, row, first, 1);
+}
+
+/* Takes pixels beyond the far limit out of a run. */
+static FC_COLD void clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t row, uint16_t column, uint32_t *p,
+                             uint8_t count) {
+  for (; count != 0; p++, column++, count--) {
     int8_t within = 0;
-    if (ball->drop >= 0 && ball->drop < 32)
-      within = fc_scan_far(scan, row, (uint16_t)(column + (p - ps)), *p >> ball->drop, ball->error + 1);
-    if (within == 0) open |= UINT32_C(1) << (p - ps);
+    if (ball->drop >= 0 && ball->drop < 32) within = fc_scan_far(scan, row, column, *p >> ball->drop, ball->error + 1);
+    if (within == 0) draw_open(scan, row, column, (uint16_t)(column + 1));
     if (within <= 0) *p = 0;
   }
-  return open;
 }
 
-/* The pixels among `bits` that the ray engine shows. */
-static uint32_t exact_run(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
-  uint32_t shown = 0, bit = 1;
-  for (; bits != 0; bits >>= 1, bit <<= 1, column++)
-    if ((bits & 1) && fc_scan_exact(scan, row, column)) shown |= bit;
-  return shown;
-}
-
-/* Where the forms stand in a row. */
+/* A row's pixels: surely inside from `from` to `to`, left to the ray engine from `first` to `end` around them. */
 typedef struct sphere_row {
-  uint64_t f, dx;
-  uint32_t b;
+  uint64_t f, dx, b; /* at `from`, and then where root_run stands; wrap past the tile */
+  uint16_t first, from, to, end;
 } sphere_row;
 
-/* p of the pixels from here on until one is not surely inside, or `end`; returns where that is. */
-static FC_NOINLINE uint32_t *inside_run(const sphere_forms *ball, sphere_row *at, uint32_t *to, const uint32_t *end) {
-  uint64_t f = at->f, dx = at->dx;
-  const uint64_t dxx = (uint64_t)ball->cone.dxx;
-  uint32_t b = at->b;
-  const uint32_t b_dx = ball->b_step;
-  /* f's high word in low .. low + span - 1: f 2^up is in 2^62 .. 2^64 - 1 */
-  uint32_t low = 0, span = 0, up = 0, down = 0;
-  while (to != end) {
-    uint32_t high = (uint32_t)(f >> 32);
-    if (high - low >= span) {
-      if (fc_to_i32(high) <= ball->inside) break; /* at least 0 */
-      up = ball->lift; /* what the greatest f allows */
-      while (up < 30 && high < UINT32_C(1) << (30 - up)) up += 2;
-      down = ball->half_lift + (up - ball->lift) / 2;
-      low = UINT32_C(1) << (30 - up);
-      span = 3 * low;
-      if (fc_to_i32(low) <= ball->inside) {
-        span -= (uint32_t)ball->inside + 1 - low;
-        low = (uint32_t)ball->inside + 1;
-      }
-    }
-    *to++ = b + (fc_sqrt_q32((high << up) | ((uint32_t)f >> (32 - up))) >> down);
-    f += dx;
-    dx += dxx;
-    b += b_dx;
-  }
-  at->f = f;
-  at->dx = dx;
-  at->b = b;
-  return to;
-}
-
-/* Leaves out a pixel, and those behind it until one is not surely outside. */
-static FC_NOINLINE uint32_t *outside_run(const sphere_forms *ball, sphere_row *at, uint32_t *to, const uint32_t *end) {
-  uint64_t f = at->f, dx = at->dx;
+/* Passes over pixels until one is surely inside, f and dx going along; returns those passed, and in *first those before one
+ * that may show the sphere. */
+static FC_NOINLINE uint16_t outside_run(const sphere_forms *ball, uint64_t *f_at, uint64_t *dx_at, uint16_t count,
+                                        uint16_t *first) {
+  uint64_t f = *f_at, dx = *dx_at;
   const uint64_t dxx = (uint64_t)ball->cone.dxx;
   const int32_t outside = ball->outside;
-  uint32_t *from = to;
-  do {
-    *to++ = 0;
+  uint16_t left = count, open = 0;
+  for (; left != 0; left--) {
+    int32_t high = fc_to_i32((uint32_t)(f >> 32));
+    if (high >= outside) {
+      if (high > ball->inside) break;
+      if (open == 0) open = left;
+    }
     f += dx;
     dx += dxx;
-  } while (to != end && fc_to_i32((uint32_t)(f >> 32)) < outside);
-  at->b += ball->b_step * (uint32_t)(to - from);
-  at->f = f;
-  at->dx = dx;
-  return to;
+  }
+  *f_at = f;
+  *dx_at = dx;
+  *first = (uint16_t)(count - (open != 0 ? open : left));
+  return (uint16_t)(count - left);
 }
 
-/* Depth codes of an octave, for test_octave. */
-typedef struct octave {
-  uint32_t low, span, add, base, low_bits, open; /* p in low .. low + span - 1 */
-  uint8_t shift;
-} octave;
+/* f is concave along a row: r^2 < C.C - C_x^2, as the sphere lies in front of the eye, and floors leave dxx <= 0. So the pixels
+ * inside are neighbours, with those left open around them. */
+static FC_NOINLINE void set_row(const fc_scan *scan, const sphere_forms *ball, sphere_row *at) {
+  uint64_t f = (uint64_t)ball->cone.f, dx = (uint64_t)ball->cone.dx;
+  const uint64_t dxx = (uint64_t)ball->cone.dxx;
+  const uint32_t columns = scan->columns, steps = columns - 1;
+  uint16_t first;
+  at->f = f;
+  at->dx = dx;
+  at->from = outside_run(ball, &at->f, &at->dx, scan->columns, &at->first);
+  at->b = (uint64_t)ball->b + (uint64_t)ball->b_dx * at->from;
+  at->to = at->from;
+  at->end = at->first;
+  if (at->first == columns) return;
+  /* back from the last column: f there, and the difference to the one before; steps below 2^12 */
+  f += dx * steps + dxx * (steps * (columns - 2) / 2);
+  dx = dxx - (dx + dxx * steps);
+  at->to = (uint16_t)(columns - outside_run(ball, &f, &dx, scan->columns, &first));
+  at->end = (uint16_t)(columns - first);
+  if (at->from == columns) at->from = at->to = at->end; /* none is inside */
+}
 
-/* Depth tests from `p` on until one leaves the octave, or `end`: adds those shown, and in *open those that it can't tell. */
-static FC_NOINLINE const uint32_t *test_octave(const octave *of, const uint32_t *p, const uint32_t *end, uint16_t *depth,
-                                               uint32_t bit, uint32_t *shown, uint32_t *open) {
-  const uint32_t low = of->low, span = of->span, add = of->add, base = of->base, low_bits = of->low_bits, may = of->open;
-  const uint8_t shift = of->shift;
-  uint32_t bits = 0, undecided = 0;
+/* Pixels between two steps of the forms in 64 bits. */
+#define ROOTS 16
+
+/*
+ * p of the next pixels, which are inside. Between steps f is followed in 31 bits, its difference with `fine` bits more: f is off
+ * by its own cut, 15 halves from those of the difference, and 2^-fine times 15 + 105 / 2 from the rounding of both differences.
+ */
+static FC_NOINLINE void root_run(const sphere_forms *ball, sphere_row *at, uint32_t *to, uint8_t count) {
+  const uint8_t down = (uint8_t)(33 - ball->lift), fine = ball->fine;
+  const uint32_t ddm = ball->ddm, b_dx = ball->b_step;
+  while (count != 0) {
+    uint32_t m = (uint32_t)(at->f >> down), b = (uint32_t)((at->b + (UINT32_C(1) << 31)) >> 32), *end = to + ROOTS;
+    int32_t dm = fc_to_i32((uint32_t)(uint64_t)fc_floor_shift64(fc_to_i64(at->dx), (uint8_t)(down - fine)) + ball->half);
+    if (count < ROOTS) end = to + count;
+    count = (uint8_t)(count - (end - to));
+    do {
+      uint32_t x = m << 1, y, s;
+      uint8_t k = ball->half_lift;
+      while (x < UINT32_C(1) << 30) {
+        x <<= 2;
+        k++;
+      }
+      /* fc_sqrt_q32 */
+      y = fc_rsqrt_q15(x);
+      s = ((x >> 16) * y) >> 15;
+      if (s >> 16) s = 0xffffu;
+      x = (uint32_t)fc_floor_shift32(fc_floor_shift32(fc_to_i32(x - s * s), 4) * (int32_t)y, 12) + (s << 16);
+      *to++ = (x >> k) + b;
+      m += (uint32_t)fc_floor_shift32(dm, fine);
+      dm = fc_to_i32((uint32_t)dm + ddm);
+      b += b_dx;
+    } while (to != end);
+    /* 16 on: f + 16 dx + 120 dxx */
+    at->f += (at->dx << 4) + ball->bend;
+    at->dx += (uint64_t)ball->cone.dxx << 4;
+    at->b += (uint64_t)ball->b_dx << 4;
+  }
+}
+
+/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. */
+static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t column, const uint32_t *p, uint8_t count,
+                                     uint32_t error, fc_coder *coder) {
+  uint16_t *depth = fc_scan_depth(scan, row, column);
+  const uint32_t *end = p + count;
+  uint32_t bits = 0, bit = 1, low = 0, span = 0, add = 0, base = 0, open = 0, low_bits = 0;
+  uint8_t shift = 0;
   do {
-    uint32_t v = *p, code, there;
-    if (v - low >= span) break;
-    v += add;
+    uint32_t v = *p++, up, code, there;
+    if (v - low >= span) {
+      if (v == 0) goto next;
+      fc_coder_follow(coder, scan->frame, v);
+      low = coder->low;
+      shift = coder->shift;
+      low_bits = coder->low_bits;
+      add = coder->half + error;
+      base = (uint32_t)coder->base;
+      open = fc_coder_open(coder, error);
+      /* codes of 1 and below, 2^16 and above, and values below the last octave are the ray engine's */
+      span = coder->base < 1 || add >= low || base + (low >> shift) + (low >> shift) > UINT32_C(65536)   ? 0
+             : base + (low >> shift) + (low >> shift) == UINT32_C(65536) ? low - add
+                                                                         : low;
+      if (v - low >= span) goto ask;
+    }
+    up = v + add;
+    code = (up >> shift) + base;
     there = *depth;
-    code = (v >> shift) + base;
-    if ((v & low_bits) <= may || code == there) {
-      undecided |= bit;
+    if ((up & low_bits) <= open || code == there) {
+    ask:
+      if (fc_scan_exact(scan, row, (uint16_t)(column + count - 1 - (end - p)))) bits |= bit;
     } else if (code > there) {
       *depth = (uint16_t)code;
       bits |= bit;
     }
-    depth++;
+  next:
     bit <<= 1;
-  } while (++p != end);
-  *shown |= bits;
-  *open |= undecided;
-  return p;
-}
-
-/* Depth tests of up to 32 pixels, given p of each; 0 leaves a pixel out. */
-static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t column, const uint32_t *first, const uint32_t *end,
-                                     uint32_t error, fc_coder *coder) {
-  uint16_t *depth = fc_scan_depth(scan, row, column);
-  const uint32_t *p = first;
-  uint32_t shown = 0, open = 0;
-  while (p != end) {
-    const uint32_t bit = UINT32_C(1) << (p - first);
-    const uint32_t *from = p;
-    octave of;
-    if (*p == 0) {
-      p++;
-      continue;
-    }
-    fc_coder_follow(coder, scan->frame, *p);
-    of.low = coder->low;
-    of.add = coder->half + error;
-    of.base = (uint32_t)coder->base;
-    of.low_bits = coder->low_bits;
-    of.open = fc_coder_open(coder, error);
-    of.shift = coder->shift;
-    /* codes of 1 and below, and beyond 16 bits, are out of the format's range: the ray engine's */
-    of.span = coder->base + (int32_t)(of.low >> of.shift) < 2 ? 0 : of.low;
-    if (coder->base > UINT16_MAX) {
-      of.span = 0;
-    } else if (coder->base + (int32_t)((2 * of.low - 1 + of.add) >> of.shift) > UINT16_MAX) {
-      uint32_t end_of_codes = (uint32_t)(UINT16_MAX + 1 - coder->base) << of.shift; /* within the octave: below 2^32 */
-      of.span = end_of_codes > of.low + of.add ? end_of_codes - of.low - of.add : 0;
-    }
-    p = test_octave(&of, p, end, depth + (p - first), bit, &shown, &open);
-    if (p == from) {
-      open |= bit;
-      p++;
-    }
-  }
-  return open == 0 ? shown : shown | exact_run(scan, row, column, open);
-}
-
-/* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each, and in *exact those that
- * the ray engine alone has seen and that have no p. */
-static FC_NOINLINE uint32_t draw_word(const fc_scan *scan, const sphere_forms *ball, sphere_row *at, fc_coder *coder, uint16_t row,
-                                      uint16_t column, uint8_t count, uint32_t *ps, uint32_t *exact_bits) {
-  uint32_t *p = ps, *end = ps + count, *first = NULL, *last = ps, exact = 0;
-  while (p != end) {
-    int32_t high = fc_to_i32((uint32_t)(at->f >> 32));
-    if (high > ball->inside) {
-      uint32_t *from = p;
-      p = inside_run(ball, at, p, end);
-      if (first == NULL) first = from;
-      last = p;
-      if (ball->clip) exact |= clip_run(scan, ball, row, column, ps, from, p);
-      continue;
-    }
-    if (high >= ball->outside) exact |= UINT32_C(1) << (p - ps);
-    p = outside_run(ball, at, p, end);
-  }
-  if (exact != 0) exact = exact_run(scan, row, column, exact);
-  *exact_bits = exact;
-  if (first == NULL) return 0;
-  return test_run(scan, row, (uint16_t)(column + (first - ps)), first, last, ball->error, coder) << (first - ps);
+    depth++;
+  } while (p != end);
+  return bits;
 }
 
 /* 2 floor(a b / 2^32) */
-static int64_t scaled(int64_t a, int32_t b) { return 2 * fc_smul64hi(a, b); }
+static FC_COLD int64_t scaled(int64_t a, int32_t b) { return 2 * fc_smul64hi(a, b); }
 
 /* Multiplies b and sqrt(f) by factor / 2^32, so that their sum is p. */
-static void fold(sphere_forms *ball, uint32_t factor, int64_t *b_dy, int64_t steps) {
+static FC_COLD void fold(sphere_forms *ball, uint32_t factor, int64_t *b_dy, int64_t steps) {
   const int32_t once = (int32_t)(factor >> 1), twice = (int32_t)(fc_mulhi32(factor, factor) >> 1);
   ball->b = scaled(ball->b, once);
   ball->b_dx = scaled(ball->b_dx, once);
@@ -652,7 +590,7 @@ static void fold(sphere_forms *ball, uint32_t factor, int64_t *b_dy, int64_t ste
   ball->cone.error += 4 * steps * steps;
 }
 
-static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere_forms *ball, int64_t *b_dy) {
+static FC_COLD void set_ball(const fc_scan *scan, const fc_placed_sphere *placed, sphere_forms *ball, int64_t *b_dy) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, unit;
   fc_sheaf sheaf;
@@ -676,17 +614,27 @@ static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *pl
   ball->b = fc_small_dot(c, d) * unit;
   ball->b_dx = c[0] * step * unit;
   *b_dy = -c[1] * step * unit;
-  /* The greatest f, r^2 |W|^2 2^(scale - 64), is lifted to 64 bits. */
+  /* One column or row has no step. */
+  if (scan->columns == 1) ball->b_dx = 0;
+  if (scan->rows == 1) *b_dy = 0;
+  fold(ball, placed->factor, b_dy, (int64_t)scan->columns + scan->rows + 1);
+  /* The greatest f, r^2 |W|^2 2^(scale - 64) factor^2 2^-64, is lifted to 64 bits. */
   {
-    int32_t bits = 2 * fc_bits64((uint64_t)scan->form->u.sphere.radius) + 62 + ball->cone.scale - 64;
+    fc_quick most, factor = fc_quick_from(placed->factor, -32);
+    int64_t x = d[0] + step * scan->columns, y = d[1] - step * scan->rows;
+    int32_t bits;
+    if (fc_abs64(x) < fc_abs64(d[0])) x = d[0];
+    if (fc_abs64(y) < fc_abs64(d[1])) y = d[1];
+    most = fc_quick_from((uint64_t)(x * x + y * y + d[2] * d[2]), (int16_t)(ball->cone.scale - 62)); /* below 2^63 */
+    factor = fc_quick_mul(factor, fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0));
+    most = fc_quick_mul(most, fc_quick_mul(factor, factor));
+    /* less than 2^-26 is cut in all */
+    bits = most.e + 32 + (most.m > UINT32_MAX - 256);
     ball->lift = bits < 64 ? (uint8_t)((64 - (bits < 2 ? 2 : bits)) & ~1) : 0;
     if (ball->lift > 30) ball->lift = 30;
     if (ball->lift < 2) ball->lift = 2;
     ball->half_lift = ball->lift / 2;
   }
-  /* One column or row has no step. */
-  if (scan->columns == 1) ball->b_dx = 0;
-  if (scan->rows == 1) *b_dy = 0;
   /* Where f > 0 sqrt(f) is at most b, and |b| is greatest at a corner: both times 2^gain so that their sum has up to 31
    * bits. A step is the difference of two pixels: below 2^63 after it. */
   {
@@ -699,28 +647,45 @@ static FC_NOINLINE void set_ball(const fc_scan *scan, const fc_placed_sphere *pl
     ball->b_dx *= INT64_C(1) << gain;
     *b_dy *= INT64_C(1) << gain;
     ball->half_lift = (uint8_t)(ball->half_lift - gain);
-    fold(ball, placed->factor, b_dy, (int64_t)scan->columns + scan->rows + 1);
     /* near / z = (b + sqrt f) 2^(31 - gain - scale / 2) factor 2^exponent */
     ball->drop = (int16_t)-(placed->exponent + 93 - half - gain);
   }
   ball->b_step = (uint32_t)(((uint64_t)ball->b_dx + (UINT32_C(1) << 31)) >> 32);
   ball->outside = fc_high_word(-ball->cone.error);
+  /* The differences of f in 2^-fine of root_run's 31 bits: below 2^31 in the whole tile and one pixel on. */
+  {
+    int64_t low = ball->cone.dx, high, turn = ball->cone.dxy * scan->rows, bend = ball->cone.dxx * (scan->columns + 1);
+    uint8_t bits, down = (uint8_t)(33 - ball->lift);
+    high = low + (turn > 0 ? turn : 0);
+    low += (turn < 0 ? turn : 0) + bend;
+    bits = fc_bits64(fc_abs64(low) | fc_abs64(high));
+    ball->fine = bits + 1 >= 31 + down ? 0 : (uint8_t)(30 + down - bits);
+    if (ball->fine > 6) ball->fine = 6;
+    if (ball->fine > down - 1) ball->fine = (uint8_t)(down - 1);
+    ball->half = (UINT32_C(1) << ball->fine) >> 1;
+    down = (uint8_t)(down - ball->fine);
+    ball->ddm = (uint32_t)(uint64_t)fc_floor_shift64(ball->cone.dxx + (INT64_C(1) << (down - 1)), down);
+    ball->bend = (uint64_t)ball->cone.dxx * 120;
+  }
   /*
    * sqrt(f) is good from f = 2^(2t) on. In units of p = (b + sqrt(f)) 2^gain the form's error e costs e 2^gain / 2^t there,
-   * if e is below half of f; what the lifted f loses below its first 32 bits m costs 2^15 / sqrt(m) / 2^half_lift
-   * = 2^(31 - t - lift / 2 - half_lift). t makes both less than 32, unless that would leave out more than 2^-10 of the greatest f.
+   * if e is below half of f; a unit of root_run's 31 bits costs 2^16 / sqrt(2 m) / 2^half_lift = 2^(32 - t - lift / 2 - half_lift),
+   * and it is off by 9 + 68 / 2^fine. t makes the former less than 32 and the latter little more, unless that would leave out more
+   * than 2^-10 of the greatest f.
    */
   {
     uint8_t bits = fc_bits64((uint64_t)ball->cone.error), root = ball->lift / 2;
-    int16_t t = (int16_t)(bits + gain - 5), most = (int16_t)(27 - root);
-    if (t < 26 - root - ball->half_lift) t = (int16_t)(26 - root - ball->half_lift);
+    const uint32_t loose = 10 + (68u >> ball->fine);
+    int16_t t = (int16_t)(bits + gain - 5), most = (int16_t)(27 - root), least = (int16_t)(30 - root - ball->half_lift), cost;
+    if (t < least) t = least;
     if (t > most) t = most;
     if (2 * t < bits + 1) t = (int16_t)((bits + 2) / 2);
     ball->inside = 2 * t < 32 ? 0 : (int32_t)((INT64_C(1) << 2 * t) >> 32);
     if (t < 16) t = 16; /* a whole word above 0 */
-    /* the root's error (32 before the shift); the two above; b's rounding and drift, and the factors' cuts */
-    ball->error = (32u >> ball->half_lift) + (uint32_t)((ball->cone.error << gain) >> t) + 22;
-    if (31 - t - root - ball->half_lift > 0) ball->error += UINT32_C(1) << (31 - t - root - ball->half_lift);
+    cost = (int16_t)(32 - t - root - ball->half_lift);
+    /* the root's error (32 before the shift); the two above; b's rounding and drift over 16 pixels, and the factors' cuts */
+    ball->error = (32u >> ball->half_lift) + (uint32_t)((ball->cone.error << gain) >> t) + 14;
+    ball->error += cost >= 0 ? loose << cost : (loose >> -cost) + 1;
   }
 }
 
@@ -730,45 +695,40 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   fc_coder coder;
   int64_t b_dy;
   uint16_t row;
-  uint8_t how = LIGHT_AWAY;
-  bool light_set = false;
+  uint8_t how = LIGHT_UNKNOWN;
   set_ball(scan, placed, &ball, &b_dy);
   ball.clip = placed->beyond;
   fc_coder_start(&coder, scan->frame, ball.drop, UINT32_C(1) << 29);
   for (row = 0; row <= scan->last_row;
        row++, fc_cone_next_row(&ball.cone), ball.b = fc_to_i64((uint64_t)ball.b + (uint64_t)b_dy)) {
     sphere_row at;
-    uint64_t b; /* wraps past the tile */
     uint16_t column;
     if (row < scan->first_row || fc_scan_skips(scan, row)) continue;
-    at.f = (uint64_t)ball.cone.f;
-    at.dx = (uint64_t)ball.cone.dx;
-    b = (uint64_t)ball.b;
-    for (column = 0; column < scan->columns; column = (uint16_t)(column + 32)) {
-      uint32_t ps[32], bits, exact;
-      uint8_t count = scan->columns - column < 32 ? (uint8_t)(scan->columns - column) : 32;
-      at.b = (uint32_t)((b + (UINT32_C(1) << 31)) >> 32);
-      b += (uint64_t)ball.b_dx << 5;
-      bits = draw_word(scan, &ball, &at, &coder, row, column, count, ps, &exact);
-      if ((bits | exact) == 0 || !fc_scan_wants_light(scan, row, column, bits | exact)) continue;
-      if (exact != 0) fc_scan_shade_slowly(scan, row, column, exact);
-      if (bits == 0) continue;
-      if (!light_set) {
+    set_row(scan, &ball, &at);
+    if (at.first != at.from) draw_open(scan, row, at.first, at.from);
+    if (at.to != at.end) draw_open(scan, row, at.to, at.end);
+    for (column = at.from; column < at.to; column = (uint16_t)(column + 32)) {
+      uint32_t ps[32], bits;
+      uint8_t count = at.to - column < 32 ? (uint8_t)(at.to - column) : 32;
+      root_run(&ball, &at, ps, count);
+      if (ball.clip) clip_run(scan, &ball, row, column, ps, count);
+      bits = test_run(scan, row, column, ps, count, ball.error, &coder);
+      if (bits == 0 || !fc_scan_wants_light(scan, row, column, bits)) continue;
+      if (how == LIGHT_UNKNOWN) {
         how = set_light(scan, &light, ball.drop, ball.error);
         if (how == LIGHT_FORMS) find_occluders(scan, &light);
-        light_set = true;
       }
-      if (how == LIGHT_FORMS && light.occluders != 0)
-        light_row_among(scan, &light, row, column, bits, ps);
-      else if (how == LIGHT_FORMS)
-        light_row(scan, &light, row, column, bits, ps, ps);
-      else
+      if (how == LIGHT_SLOW)
         fc_scan_shade_slowly(scan, row, column, bits);
+      else if (light.occluders != 0)
+        light_row_among(scan, &light, row, column, bits, ps);
+      else
+        light_row(scan, &light, row, column, bits, ps, ps);
     }
   }
 }
 
-void fc_sphere_draw(fc_scan *scan) {
+FC_COLD void fc_sphere_draw(fc_scan *scan) {
   const fc_placed_sphere *placed = (const fc_placed_sphere *)scan->at->group.memory + scan->index;
   uint16_t row;
   uint8_t word;
@@ -788,7 +748,7 @@ void fc_sphere_draw(fc_scan *scan) {
 
 /* ---- shadows ---- */
 
-bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
+FC_COLD bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window) {
   /* The hull of light and ball lies in a capsule and in a cone: the sphere misses it if it is clear of either. In units that
    * make everything 15 bits, with some units of slack for the cuts. a: to the sphere, b: to the ball. */
@@ -841,29 +801,33 @@ bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t
  * come within the radius.
  */
 static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
-  int64_t a[3], b[3], ab = 0, apart, out, in;
-  uint32_t aa = 0, bb = 0; /* below 3 * 2^30 */
-  uint64_t across, square, most = (uint64_t)form->u.sphere.radius;
+  int64_t ab = 0, apart;
+  int32_t a[3], b[3], out, in; /* a and b below 2^31 */
+  uint32_t aa = 0, bb = 0;     /* below 3 * 2^30 */
+  uint64_t across, square;
+  uint32_t most = (uint32_t)form->u.sphere.radius | 1;
   uint8_t i, bits, shift;
   for (i = 0; i < 3; i++) {
-    a[i] = form->u.sphere.center[i] - light[i];
-    b[i] = point[i] - light[i];
-    most |= fc_abs64(a[i]) | fc_abs64(b[i]);
+    int32_t l = (int32_t)light[i];
+    a[i] = (int32_t)form->u.sphere.center[i] - l;
+    b[i] = point[i] - l;
+    most |= fc_abs32(a[i]) | fc_abs32(b[i]);
   }
-  bits = fc_bits64(most);
+  bits = (uint8_t)(32 - fc_clz32(most));
   shift = bits > 15 ? (uint8_t)(bits - 15) : 0;
-  out = 2 * (int64_t)(error >> shift) + 8; /* sqrt(3) (1 + error + 1 + 1) + 1 < 2 error + 6.2, the error floored */
+  out = 2 * (int32_t)(error >> shift) + 8; /* sqrt(3) (1 + error + 1 + 1) + 1 < 2 error + 6.2, the error floored */
   if (out > 4096) return -1;
   for (i = 0; i < 3; i++) {
-    int32_t x = (int32_t)fc_floor_shift64(a[i], shift), y = (int32_t)fc_floor_shift64(b[i], shift);
+    int32_t x = fc_floor_shift32(a[i], shift), y = fc_floor_shift32(b[i], shift);
     aa += (uint32_t)(x * x);
     ab += x * y;
     bb += (uint32_t)(y * y);
   }
-  in = (form->u.sphere.radius >> shift) - out; /* below 2^15 */
-  out += form->u.sphere.radius >> shift;
+  in = (int32_t)((uint32_t)form->u.sphere.radius >> shift); /* below 2^15 */
+  out += in;
+  in += in - out;
   apart = (int64_t)aa + bb - 2 * ab; /* |a - b|^2 */
-  if (aa <= out * out || apart <= out * out) return -1;
+  if (aa <= (uint32_t)(out * out) || apart <= out * out) return -1;
   if (ab <= 0 || ab >= bb) return 0; /* the nearest point is an end */
   across = fc_mul32(aa, bb) - fc_mul32((uint32_t)ab, (uint32_t)ab); /* squared distance from the line, times bb; ab < bb */
   square = fc_mul32((uint32_t)(out * out), bb);                     /* 31 + 32 bits */
@@ -872,7 +836,7 @@ static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], co
   return across < square ? 1 : -1;
 }
 
-int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
   /* Light outside. With w = P - L, c = C - L and q = |c|^2 - r^2 > 0 the line meets the sphere iff (w.c)^2 >= w.w q and w.c > 0,
    * and it does so before P iff its foot does, w.c < w.w, or P is inside, w.w - 2 w.c + q < 0. Vectors are cut to 29 bits
    * and sums of three products by 2^30 more, to 30. */
@@ -930,12 +894,12 @@ typedef struct ahead_form {
   int64_t at, dx, dy, margin;
 } ahead_form;
 
-static int64_t along_center(const int64_t center[3], const int32_t w[3]) {
+static FC_COLD int64_t along_center(const int64_t center[3], const int32_t w[3]) {
   return fc_smul64hi(center[0], w[0]) + fc_smul64hi(center[1], w[1]) + fc_smul64hi(center[2], w[2]);
 }
 
 /* 1: everywhere, -1: nowhere, 0: here and there. */
-static int8_t set_ahead(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], ahead_form *a) {
+static FC_COLD int8_t set_ahead(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], ahead_form *a) {
   /* 31 + 30 bits, less 32; floors and W's error: 3 (1 + columns + rows) + |C - L|_1 error / 2^32 */
   int64_t x, y, low, high;
   a->at = along_center(center, receiver->w.at);
@@ -957,25 +921,27 @@ typedef struct shadow_test {
   bool doubted;      /* the row has pixels in `doubt` */
   ahead_form ahead;
   fc_window doubt;
+  const fc_planar *receiver;
   const fc_kind *kind;
   const fc_form *form;
 } shadow_test;
 
 /* Up to 8 pixels: those in the dark. */
-static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column,
+static FC_COLD uint32_t shade_some(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column,
                                        uint32_t bits, uint64_t f, uint64_t dx, uint64_t dxx) {
   uint32_t dark = 0, bit = 1;
   for (; bits != 0; bits >>= 1, bit <<= 1, column++, f += dx, dx += dxx) {
     bool sure = fc_to_i64(f) > test->dark;
     if (!(bits & 1) || fc_to_i64(f) < test->lit) continue;
-    if (sure && test->everywhere == 0) {
+    if (test->everywhere == 0) {
       int64_t a = test->ahead.at + test->ahead.dx * column + test->ahead.dy * row;
-      if (a < -test->ahead.margin) continue;
-      sure = a > test->ahead.margin;
+      if (a < -test->ahead.margin) continue; /* behind the light, whatever f is */
+      if (a <= test->ahead.margin) sure = false;
     }
     if (test->doubted && scan->x + column >= test->doubt.x0 && scan->x + column <= test->doubt.x1) sure = false;
     if (!sure)
-      sure = fc_scan_guesses(scan) ? fc_to_i64(f) > 0 : fc_scan_blocked(scan, row, column, test->kind, test->form);
+      sure = fc_scan_guesses(scan) ? fc_to_i64(f) > 0
+                                   : fc_planar_blocked(scan, test->receiver, row, column, test->kind, test->form);
     if (sure) dark |= bit;
   }
   return dark;
@@ -992,30 +958,38 @@ static bool row_is_clear(const fc_cone *cone, int64_t lit) {
   return fc_mul32(slope, slope) >> 1 < fc_mul32(bend, below);
 }
 
+static FC_COLD uint64_t square_of(const int64_t v[3]) {
+  uint64_t sum = 0;
+  uint8_t i;
+  for (i = 0; i < 3; i++) sum += (uint64_t)(v[i] * v[i]);
+  return sum;
+}
+
 void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   const int64_t *c = form->u.sphere.center;
   int64_t center[3], radius = form->u.sphere.radius;
   fc_cone cone;
-  fc_window doubt;
   ahead_form ahead;
   uint16_t row;
   uint8_t i;
   int8_t everywhere;
   int64_t bulge;
+  bool known = false;
   shadow_test clear;
   for (i = 0; i < 3; i++) center[i] = c[i] - scan->frame->lights[i]; /* below 2^31 */
-  if (fc_i128_compare(fc_i128_dot(center, center), fc_i128_mul(radius, radius)) <= 0) {
+  /* squares below 2^62, three of them below 2^64 */
+  if (square_of(center) <= (uint64_t)(radius * radius)) {
     fc_planar_ask(scan, kind, form); /* the light inside the sphere, or on it */
     return;
   }
   everywhere = set_ahead(scan, receiver, center, &ahead);
-  if (everywhere < 0 || !fc_planar_faces_ball(scan, receiver, c, radius, &doubt)) return;
+  if (everywhere < 0) return;
   fc_cone_setup(&cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
   clear.dark = cone.error;
   clear.lit = -cone.error;
   clear.everywhere = everywhere;
   clear.ahead = ahead;
-  clear.doubt = doubt;
+  clear.receiver = receiver;
   clear.kind = kind;
   clear.form = form;
   /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|; f, below 2^62,
@@ -1027,7 +1001,11 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
     uint16_t column = 0;
     uint8_t word;
     if (row < scan->first_row || row_is_clear(&cone, clear.lit)) continue;
-    clear.doubted = scan->y + row >= doubt.y0 && scan->y + row <= doubt.y1;
+    if (!known) {
+      if (!fc_planar_faces_ball(scan, receiver, c, radius, &clear.doubt)) return;
+      known = true;
+    }
+    clear.doubted = scan->y + row >= clear.doubt.y0 && scan->y + row <= clear.doubt.y1;
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
       /* 32 columns on: f + 32 dx + 496 dxx */

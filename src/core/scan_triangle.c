@@ -15,6 +15,8 @@ typedef struct fc_brush {
   bool plain;   /* colours are final, two bytes each, and nothing else is wanted: pixels are written at once */
   bool clip;    /* the far limit may cut it */
   bool steep;   /* no affine depth */
+  bool even;    /* a small triangle: in one octave and within the far limit */
+  int16_t coder_drop;  /* what the coder was started for, or out of range */
   uint8_t high;        /* tiles lie in bands of the frame, of so many rows, a power of two */
   int32_t top, bottom; /* rows that the whole triangle may touch */
   bool tinted;  /* scan->tint is that of this material */
@@ -327,25 +329,45 @@ static void bound_start(fc_bound *bound, const fc_small_facet *facet, uint8_t a,
   bound->down = left ? -dx : dx;
 }
 
+/* A small triangle shows a pixel: only now its depth and colour are wanted. False when the form tells too little. */
+static FC_NOINLINE bool small_start(fc_brush *brush, const fc_placed_mesh *mesh, fc_small_facet *facet) {
+  const fc_frame *frame = brush->scan->frame;
+  fc_coder *coder = &brush->coder;
+  uint32_t q;
+  if (!fc_small_depth(facet, frame, mesh)) return false;
+  brush->facet.error = facet->error;
+  brush->facet.drop = facet->drop;
+  brush->steep = false;
+  brush->clip = brush->scan->clip_far && !(q30_of(facet->least, facet->drop, &q) && q > frame->far_high);
+  if (brush->coder_drop != facet->drop) {
+    fc_coder_start(coder, frame, facet->drop, UINT32_C(1) << 30);
+    brush->coder_drop = facet->drop;
+  }
+  if (facet->most >> 31 == 0) fc_coder_follow(coder, frame, facet->most);
+  /* in one octave, short of its ends */
+  brush->even = !brush->clip && facet->most >> 31 == 0 && facet->least >= coder->low &&
+                coder->base + (int32_t)(facet->least >> coder->shift) > 1 &&
+                coder->base + (int32_t)(facet->most >> coder->shift) < UINT16_MAX - 1;
+  brush->open = code_open(coder, facet->error, brush->scan->columns);
+  if (brush->plain) set_tint(brush);
+  return true;
+}
+
 /*
- * Rows of a small triangle, all of it within one octave and within the far limit. Between the heights of two corners a row is
- * bounded by one edge on either side; its ends are found from those of the row before.
+ * Rows of a small triangle. Between the heights of two corners a row is bounded by one edge on either side; its ends are
+ * found from those of the row before. False when the form of its depth tells too little.
  */
-static FC_NOINLINE void walk_small_rows(fc_brush *brush, const fc_small_facet *facet, uint16_t columns, uint16_t rows) {
+static FC_NOINLINE bool walk_small_rows(fc_brush *brush, const fc_placed_mesh *mesh, fc_small_facet *facet, uint16_t columns,
+                                        uint16_t rows) {
   fc_scan *scan = brush->scan;
-  const uint32_t step = code_step(&brush->coder, facet->px);
   const int32_t certain = 2 * facet->margin + 1, end = columns;
   int32_t row = fc_floor_shift32(facet->y[0], 16) + 1, middle = fc_floor_shift32(facet->y[1], 16) + 1,
           last_row = fc_floor_shift32(facet->y[2], 16), from = 0, to = columns - 1;
-  uint32_t p_row, add;
-  uint16_t *depth_row;
-  uint8_t *to_row;
+  bool started = false;
   fc_bound left, right;
-  brush->open = code_open(&brush->coder, facet->error, columns);
-  add = 0x8000u + brush->open / 2;
   if (row < 0) row = 0;
   if (last_row > rows - 1) last_row = rows - 1;
-  if (row > last_row) return;
+  if (row > last_row) return true;
   if (row < middle) {
     bound_start(&left, facet, 0, facet->left ? 1 : 2, true, from, row);
     bound_start(&right, facet, 0, facet->left ? 2 : 1, false, to, row);
@@ -354,9 +376,6 @@ static FC_NOINLINE void walk_small_rows(fc_brush *brush, const fc_small_facet *f
     bound_start(&right, facet, facet->left ? 0 : 1, 2, false, to, row);
     middle = INT32_MAX;
   }
-  p_row = facet->p + facet->py * (uint32_t)row; /* outside the triangle p may wrap: only what is inside becomes a code */
-  depth_row = fc_scan_depth(scan, (uint16_t)row, 0);
-  to_row = fc_scan_pixel(scan, (uint16_t)row, 0);
   for (;;) {
     int32_t e = left.e;
     if (e < 0) {
@@ -384,33 +403,39 @@ static FC_NOINLINE void walk_small_rows(fc_brush *brush, const fc_small_facet *f
       }
     }
     right.e = e;
-    {
+    if (from <= to) {
       int32_t first = from, last = to;
+      if (!started) {
+        if (!small_start(brush, mesh, facet)) return false;
+        started = true;
+      }
       for (; first <= last && e < certain; e += right.inwards) last--; /* open ends, asked below */
       for (e = left.e; first <= last && e < certain; e += left.inwards) first++;
-      if (from <= to) {
-        if (first != from || last != to) {
-          int32_t column;
-          for (column = from; column <= to; column++)
-            if (column < first || column > last) ask(brush, (uint16_t)row, (uint16_t)column);
-        }
-        if (first <= last) {
-          uint32_t at = code_of(&brush->coder, p_row + facet->px * (uint32_t)first) + add;
-          uint16_t *depth = depth_row + first;
+      if (first != from || last != to) {
+        int32_t column;
+        for (column = from; column <= to; column++)
+          if (column < first || column > last) ask(brush, (uint16_t)row, (uint16_t)column);
+      }
+      if (first <= last) {
+        /* outside the triangle p may wrap: only what is inside becomes a code */
+        uint32_t p = facet->p + facet->py * (uint32_t)row + facet->px * (uint32_t)first;
+        if (brush->even) {
+          uint16_t *depth = fc_scan_depth(scan, (uint16_t)row, (uint16_t)first);
+          const uint16_t *stop = depth + (last - first + 1);
+          const uint32_t at = code_of(&brush->coder, p) + 0x8000u + brush->open / 2, step = code_step(&brush->coder, facet->px);
           if (brush->plain)
-            paint(brush, depth, depth_row + last + 1, to_row + 2 * first, at, step);
+            paint(brush, depth, stop, fc_scan_pixel(scan, (uint16_t)row, (uint16_t)first), at, step);
           else
-            scan->mask[row] |= paint_mask(brush, depth, depth_row + last + 1, at, step) << first;
+            scan->mask[row] |= paint_mask(brush, depth, stop, at, step) << first;
+        } else {
+          for (; first <= last; first++, p += facet->px) careful_pixel(brush, (uint16_t)row, (uint16_t)first, p);
         }
       }
     }
-    if (row == last_row) return;
+    if (row == last_row) return true;
     row++;
     left.e += left.down;
     right.e += right.down;
-    p_row += facet->py;
-    depth_row += scan->frame->width;
-    to_row += scan->target->pitch_bytes;
     if (row == middle) {
       if (facet->left)
         bound_start(&left, facet, 1, 2, true, from, row);
@@ -520,28 +545,22 @@ static void start_depth(fc_brush *brush) {
   fc_scan *scan = brush->scan;
   brush->clip = scan->clip_far && !beyond_doubt(scan->frame, &brush->facet);
   if (!brush->steep) fc_coder_start(&brush->coder, scan->frame, brush->facet.drop, UINT32_C(1) << 30);
+  brush->coder_drop = INT16_MAX;
 }
 
 /* A small triangle, in one tile; false when the forms want more than 32 bits. */
-static FC_NOINLINE bool draw_small(fc_brush *brush, const fc_placed_mesh *mesh, const fc_corners *corners, const fc_tile *box,
+static bool draw_small(fc_brush *brush, const fc_placed_mesh *mesh, const fc_corners *corners, const fc_tile *box,
                        const fc_tile *tile) {
-  const fc_frame *frame = brush->scan->frame;
-  fc_coder *coder = &brush->coder;
   fc_small_facet facet;
-  uint16_t rows = (uint16_t)(tile->y1 - tile->y0 + 1);
-  uint8_t how = fc_facet_small(&facet, frame, mesh, corners, box, tile, brush->form.u.triangle.hidden);
-  uint32_t q;
+  uint8_t how;
+  facet.corners = corners;
+  facet.box = box;
+  facet.tile = tile;
+  how = fc_small_edges(&facet, brush->scan->frame, brush->form.u.triangle.hidden);
   if (how != FC_FACET_SEEN) return how == FC_FACET_HIDDEN;
-  if (brush->scan->clip_far && !(q30_of(facet.least, facet.drop, &q) && q > frame->far_high)) return false;
-  fc_coder_start(coder, frame, facet.drop, facet.most);
-  if (facet.most >> 31 || facet.least < coder->low || coder->base + (int32_t)(facet.least >> coder->shift) <= 1 ||
-      coder->base + (int32_t)(facet.most >> coder->shift) >= UINT16_MAX - 1)
-    return false;
-  brush->facet.error = facet.error;
-  brush->steep = brush->clip = false;
   brush->high = FC_SCAN_ROWS;
   aim(brush, tile);
-  walk_small_rows(brush, &facet, brush->scan->columns, rows);
+  if (!walk_small_rows(brush, mesh, &facet, brush->scan->columns, (uint16_t)(tile->y1 - tile->y0 + 1))) return false;
   if (!brush->plain) finish(brush);
   return true;
 }
@@ -551,6 +570,7 @@ static FC_NOINLINE bool draw_projected(fc_brush *brush, const fc_placed_mesh *me
                            const fc_tile *seen) {
   int32_t x, y;
   fc_tile tile;
+  if (brush->plain) set_tint(brush);
   for (y = seen->y0; y <= seen->y1; y = tile.y1 + 1) {
     for (x = seen->x0; x <= seen->x1; x = tile.x1 + 1) {
       bool hidden;
@@ -575,6 +595,7 @@ static FC_NOINLINE void draw_exactly(fc_brush *brush, const fc_tile *seen) {
   fc_tile tile;
   int8_t side;
   fetch(brush);
+  if (brush->plain) set_tint(brush);
   fc_kind_of(brush->scan->at)->prepare(&brush->form, eye, &prepared);
   side = fc_i128_sign(prepared.u.triangle.side);
   if (side == 0 || side == brush->form.u.triangle.hidden) return;
@@ -597,14 +618,16 @@ static FC_NOINLINE void draw_exactly(fc_brush *brush, const fc_tile *seen) {
 }
 
 /* A corner's coordinate; up 2^exponent that fits, as the mesh has made sure. */
-static int32_t place(int32_t a, int8_t up, uint32_t mantissa) {
+static inline int32_t place(int32_t a, int32_t up, uint32_t mantissa) {
   a = up >= 0 ? a * (INT32_C(1) << up) : fc_floor_shift32(a, up < -31 ? 31 : (uint8_t)-up);
   return fc_smulhi32(a, mantissa);
 }
 
-static void bounds(const int32_t at[3], uint8_t fraction, uint16_t size, int32_t *low, int32_t *high) {
-  int32_t a = at[0] < at[1] ? at[0] : at[1], b = at[0] < at[1] ? at[1] : at[0];
-  int32_t middle = (size - 1) * (INT32_C(1) << (fraction - 1));
+/* Pixels whose centres may lie between the least and the greatest coordinate. */
+static inline void bounds(const int32_t at[3], uint8_t fraction, uint16_t size, int32_t *low, int32_t *high) {
+  int32_t a = at[0], b = at[0], middle = (size - 1) * (INT32_C(1) << (fraction - 1));
+  if (at[1] < a) a = at[1];
+  if (at[1] > b) b = at[1];
   if (at[2] < a) a = at[2];
   if (at[2] > b) b = at[2];
   *low = fc_floor_shift32(a + middle - FC_CORNER_ERROR - 1, fraction) + 1;
@@ -614,38 +637,40 @@ static void bounds(const int32_t at[3], uint8_t fraction, uint16_t size, int32_t
 static FC_NOINLINE void draw_item(fc_brush *brush, const fc_placed_mesh *mesh, const fc_triangle *item, uint16_t rows) {
   fc_scan *scan = brush->scan;
   const fc_frame *frame = scan->frame;
-  const fc_placed_vertex *vertices = fc_mesh_vertices(mesh);
+  const fc_placed_vertex *const a = fc_mesh_vertices(mesh) + item->vertex[0], *const b = fc_mesh_vertices(mesh) + item->vertex[1],
+                         *const c = fc_mesh_vertices(mesh) + item->vertex[2];
+  const uint32_t a_seen = a->seen, b_seen = b->seen, c_seen = c->seen;
   fc_corners corners;
   fc_tile box, seen;
-  int32_t last = (int32_t)scan->strip + rows - 1;
-  uint32_t mantissa[3];
-  int8_t up[3];
-  uint8_t i;
-  bool placed = true;
-  for (i = 0; i < 3; i++) {
-    uint32_t s = vertices[item->vertex[i]].seen;
-    if (s == 0) placed = false;
-    corners.seen[i] = s;
-    mantissa[i] = fc_seen_mantissa(s);
-    up[i] = (int8_t)(fc_seen_exponent(s) - mesh->shift);
-  }
-  if (placed) {
-    corners.fraction = mesh->fraction;
-    for (i = 0; i < 3; i++) corners.y[i] = place(-vertices[item->vertex[i]].p[1], up[i], mantissa[i]);
-    bounds(corners.y, mesh->fraction, frame->height, &box.y0, &box.y1);
+  const int32_t last = (int32_t)scan->strip + rows - 1;
+  if (a_seen != 0 && b_seen != 0 && c_seen != 0) {
+    const uint32_t a_mantissa = fc_seen_mantissa(a_seen), b_mantissa = fc_seen_mantissa(b_seen), c_mantissa = fc_seen_mantissa(c_seen);
+    const int32_t shift = mesh->shift, a_up = fc_seen_exponent(a_seen) - shift, b_up = fc_seen_exponent(b_seen) - shift,
+                  c_up = fc_seen_exponent(c_seen) - shift;
+    const uint8_t fraction = mesh->fraction;
+    corners.y[0] = place(-a->p[1], a_up, a_mantissa);
+    corners.y[1] = place(-b->p[1], b_up, b_mantissa);
+    corners.y[2] = place(-c->p[1], c_up, c_mantissa);
+    bounds(corners.y, fraction, frame->height, &box.y0, &box.y1);
     seen.y0 = box.y0 > scan->strip ? box.y0 : scan->strip;
     seen.y1 = box.y1 < last ? box.y1 : last;
     if (seen.y0 > seen.y1) return;
-    brush->top = box.y0 > 0 ? box.y0 : 0;
-    brush->bottom = box.y1 < frame->height - 1 ? box.y1 : frame->height - 1;
-    for (i = 0; i < 3; i++) corners.x[i] = place(vertices[item->vertex[i]].p[0], up[i], mantissa[i]);
-    bounds(corners.x, mesh->fraction, frame->width, &box.x0, &box.x1);
+    corners.x[0] = place(a->p[0], a_up, a_mantissa);
+    corners.x[1] = place(b->p[0], b_up, b_mantissa);
+    corners.x[2] = place(c->p[0], c_up, c_mantissa);
+    bounds(corners.x, fraction, frame->width, &box.x0, &box.x1);
     seen.x0 = box.x0 > 0 ? box.x0 : 0;
     seen.x1 = box.x1 < frame->width - 1 ? box.x1 : frame->width - 1;
     if (seen.x0 > seen.x1) return;
+    corners.seen[0] = a_seen;
+    corners.seen[1] = b_seen;
+    corners.seen[2] = c_seen;
+    corners.fraction = fraction;
+    brush->top = box.y0 > 0 ? box.y0 : 0;
+    brush->bottom = box.y1 < frame->height - 1 ? box.y1 : frame->height - 1;
     /* small ones have no time to ask each row whether it is left out */
-    if (box.x1 - box.x0 < FC_SMALL && box.y1 - box.y0 < FC_SMALL && scan->skip == FC_SKIP_NONE && (brush->plain || (seen.y0 ^ seen.y1) < FC_SCAN_ROWS) &&
-        draw_small(brush, mesh, &corners, &box, &seen))
+    if (box.x1 - box.x0 < FC_SMALL && box.y1 - box.y0 < FC_SMALL && scan->skip == FC_SKIP_NONE &&
+        (brush->plain || (seen.y0 ^ seen.y1) < FC_SCAN_ROWS) && draw_small(brush, mesh, &corners, &box, &seen))
       return;
     if (draw_projected(brush, mesh, &corners, &box, &seen)) return;
   } else {
@@ -668,6 +693,7 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
   brush.plain = scan->frame->light == FC_LIGHT_NONE && scan->pixel_bytes == 2 && scan->target->primitive == NULL &&
                 scan->target->lit == NULL && ((uintptr_t)scan->target->pixels | scan->target->pitch_bytes) % 2 == 0;
   brush.tinted = false;
+  brush.coder_drop = INT16_MAX;
   brush.form.u.triangle.hidden = group->shapes.cull ? -1 : 0;
   scan->form = &brush.form;
   fc_bin_start(&walk, group, scan->strip, (uint16_t)(scan->strip + rows - 1));
@@ -678,7 +704,6 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
     brush.fetched = false;
     brush.form.material = item.material;
     brush.form.object = item.object;
-    if (brush.plain) set_tint(&brush);
     draw_item(&brush, mesh, &item, rows);
   }
 }

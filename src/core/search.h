@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 #include "fixcast/bvh.h"
-#include "num.h"
+#include "quick.h"
 #include "space.h"
 
 /* Everything on the way from a point to a region: the hull of the two. Coordinates of the space that is searched, below
@@ -21,7 +21,7 @@ typedef struct fc_reach {
   const int64_t *to;   /* three coordinates a corner ... */
   uint8_t corners;     /* ... of the region's hull; 0: `to` is the direction of a ray */
   int64_t radius;      /* the region reaches this far beyond its corners, an axis */
-  fc_num limit;        /* rays: a visitor that sets it, and `limited`, is no longer asked about what lies beyond that t */
+  fc_quick limit;        /* rays: a visitor that sets it, and `limited`, is no longer asked about what lies beyond that t, within 2^-24 */
   bool limited;
 } fc_reach;
 

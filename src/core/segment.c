@@ -6,6 +6,19 @@
 #include "bits.h"
 #include "tally.h"
 
+FC_COLD uint32_t fc_point_near(fc_quick t, const int64_t origin[3], const int64_t direction[3], int64_t point[3]) {
+  /* |t direction| < 2^reach; a product is within 2^-24 of itself, and cut */
+  int16_t reach = (int16_t)(t.e + 32 + fc_vector_bits(direction));
+  uint8_t i;
+  if (reach > 54) t.e = (int16_t)(t.e + 54 - reach);
+  for (i = 0; i < 3; i++) {
+    int64_t step = (int64_t)fc_quick_to_u64(fc_quick_mul(t, fc_quick_from(fc_abs64(direction[i]), 0)));
+    point[i] = origin[i] + (direction[i] < 0 ? -step : step);
+  }
+  if (reach > 53) return UINT32_MAX;
+  return reach < 24 ? 2 : (UINT32_C(1) << (reach - 24)) + 2;
+}
+
 FC_COLD bool fc_point_at(fc_num t, const int64_t origin[3], const int64_t direction[3], int64_t point[3]) {
   /* |t direction| < 2^(t.e + 63 + 30): a value of up to 57 bits carries less than 2^-1 of relative error */
   uint8_t i, bits = fc_vector_bits(direction);
@@ -25,12 +38,12 @@ static const fc_root one = {{1, 0}, {1, 0}, {0, 0}, {0, 0}, 0};
 FC_COLD void fc_segment_prepare(fc_segment *segment) {
   segment->t.m = 0;
   segment->t.e = 0;
-  if (segment->point_valid) segment->t = fc_root_quick(segment->root != NULL ? segment->root : &one);
+  if (segment->point_error != UINT32_MAX) segment->t = fc_root_quick(segment->root != NULL ? segment->root : &one);
 }
 
 FC_COLD bool fc_segment_apart(const fc_segment *segment, const int64_t low[3], const int64_t high[3]) {
   uint8_t i;
-  if (!segment->point_valid) return false;
+  if (segment->point_error == UINT32_MAX) return false;
   for (i = 0; i < 3; i++) {
     int64_t light = segment->light[i], point = segment->point[i];
     if (light < low[i] && point + segment->point_error < low[i]) return true;
@@ -73,3 +86,9 @@ FC_COLD void fc_cross(const int64_t a[3], const int64_t b[3], int64_t r[3]) {
 }
 
 FC_COLD uint8_t fc_vector_bits(const int64_t a[3]) { return fc_bits64(fc_abs64(a[0]) | fc_abs64(a[1]) | fc_abs64(a[2])); }
+
+FC_COLD uint8_t fc_shrink(const int64_t v[3], int64_t r[3]) {
+  uint8_t bits = fc_vector_bits(v), shift = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
+  for (i = 0; i < 3; i++) r[i] = fc_floor_shift64(v[i], shift);
+  return shift;
+}

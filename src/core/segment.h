@@ -18,12 +18,11 @@
 typedef struct fc_segment {
   int64_t light[3];         /* exact, below 2^63 */
   int64_t point[3];         /* rounded, below 2^60 */
-  uint8_t point_error;      /* per axis: 0 (the point is exact) or 1 */
-  bool point_valid;         /* false: too far away for `point`; then nothing is left to values and boxes */
+  uint32_t point_error;     /* per axis; 0: the point is exact; UINT32_MAX: `point` is useless, nothing is left to values and boxes */
   bool outside;             /* the point is outside every closed mesh: what stops the light there stops it with a back face */
   const fc_root *root;      /* NULL: `point` is the exact point */
   const int64_t *direction; /* with root */
-  fc_quick t;               /* the root's value, by fc_segment_prepare; 0 without a valid point */
+  fc_quick t;               /* the root's value, by fc_segment_prepare; 0 without a useful point */
 } fc_segment;
 
 /* Call it whenever light, point or root have changed. */
@@ -37,6 +36,10 @@ const int64_t *fc_segment_direction(const fc_segment *segment);
 
 /* fc_root_sign at the segment's point. */
 int8_t fc_segment_sign(const fc_segment *segment, fc_wide *w, fc_decision decision);
+
+/* Rounds origin + t direction to the grid for a t within 2^-24; returns a bound of each coordinate's error, UINT32_MAX beyond 2^53
+ * units: then the point is only a stand-in far out in the right direction. Directions below 2^30. */
+uint32_t fc_point_near(fc_quick t, const int64_t origin[3], const int64_t direction[3], int64_t point[3]);
 
 /* Rounds origin + t direction to the grid. Returns false when it lies beyond 2^56 units: then the point is only
  * a stand-in far out in the right direction. */
@@ -61,5 +64,8 @@ void fc_cross(const int64_t a[3], const int64_t b[3], int64_t r[3]);
 
 /* Bits of the largest component. */
 uint8_t fc_vector_bits(const int64_t a[3]);
+
+/* v floored to at most 30 bits; returns the shift. */
+uint8_t fc_shrink(const int64_t v[3], int64_t r[3]);
 
 #endif

@@ -6,61 +6,66 @@
 #include "view.h"
 
 FC_COLD void fc_surface_offset(const fc_surface *surface, int rule, int64_t epsilon, int64_t point[3]) {
+  int64_t n[3];
   uint8_t i;
-  for (i = 0; i < 3; i++) point[i] = surface->point[i];
-  if (rule == FC_OFFSET_RESIDUAL) {
-    /* Off by 1 unit an axis, a point crosses a surface within a few steps along the normal's dominant axis: on planes the residual is at
-     * most |n|_1 <= 3 |n|_max, so 4 do. */
-    const int64_t *n = surface->normal;
-    uint8_t axis = 0;
+  (void)fc_shrink(surface->normal, n);
+  for (i = 0; i < 3; i++) {
+    point[i] = surface->point[i];
+    if (surface->inside) n[i] = -n[i];
+  }
+  if (rule == FC_OFFSET_RESIDUAL && surface->point_error != UINT32_MAX) {
+    /* Along the normal's dominant axis: a point within e units an axis is at most 3 e + 1 from a plane there, as |n|_1 <= 3 |n|_max.
+     * Out by e at a time, then back as far as the side allows. */
+    int64_t step = surface->point_error;
+    uint8_t axis = 0, out = 5;
     for (i = 1; i < 3; i++)
       if (fc_abs64(n[i]) > fc_abs64(n[axis])) axis = i;
-    for (i = 0; i < 8; i++) {
+    if (n[axis] < 0) step = -step;
+    for (;;) {
       int8_t side = fc_kind_of(&surface->at)->side(&surface->form, point);
-      if (surface->inside ? side < 0 : side > 0) break;
-      point[axis] += (n[axis] < 0) != surface->inside ? -1 : 1;
+      bool right = side != 0 && (side < 0) == surface->inside;
+      if (right) out = 0;
+      if (out == 0) {
+        if (!right) point[axis] += step;
+        step /= 2;
+        if (step == 0) break;
+        point[axis] -= step;
+      } else {
+        out--;
+        point[axis] += step;
+      }
     }
   } else if (rule == FC_OFFSET_EPSILON) {
-    const int64_t *n = surface->normal;
-    fc_num length = fc_length(n);
+    /* along a unit normal in Q30 that is within 2^-24 */
+    fc_quick length = fc_quick_from((uint64_t)fc_dot(n, n), 0);
     if (length.m == 0) return;
-    for (i = 0; i < 3; i++) {
-      fc_num c = fc_num_mul(fc_num_from_u64(fc_abs64(n[i]), 0), fc_num_from_u64((uint64_t)epsilon, 0));
-      int64_t step = (int64_t)fc_num_round(fc_num_div(c, length), 0);
-      point[i] += (n[i] < 0) != surface->inside ? -step : step;
-    }
+    length = fc_quick_rsqrt(length);
+    for (i = 0; i < 3; i++)
+      point[i] += fc_i128_to_i64(fc_i128_round_shift(fc_i128_mul(fc_quick_times(length, n[i], 30), epsilon), 30));
   }
 }
 
-/* v floored to at most 30 bits; returns the shift. */
-static FC_COLD uint8_t shrink(const int64_t v[3], int64_t r[3]) {
-  uint8_t bits = fc_vector_bits(v), shift = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
-  for (i = 0; i < 3; i++) r[i] = fc_floor_shift64(v[i], shift);
-  return shift;
-}
-
-/* cos (n, L - P), divided by the squared distance in world units when the light falls off, times 2^24. */
+/* cos (n, L - P), divided by the squared distance in world units when the light falls off, times 2^24: within 2^-22 of it. */
 static FC_COLD uint32_t irradiance_q24(const fc_frame *frame, const fc_surface *surface, const fc_light *light,
-                               const int64_t position[3]) {
+                                       const int64_t position[3]) {
   int64_t v[3], n[3], along;
   uint8_t i, v_shift;
-  fc_num value, square;
-  uint64_t q;
+  fc_quick inverse, value;
   for (i = 0; i < 3; i++) v[i] = position[i] - surface->point[i];
-  v_shift = shrink(v, v);
-  (void)shrink(surface->normal, n);
-  along = fc_small_dot(n, v);
+  v_shift = fc_shrink(v, v);
+  (void)fc_shrink(surface->normal, n);
+  along = fc_dot(n, v);
   if (surface->inside) along = -along;
   if (along <= 0) return 0; /* grazing, and the rounded vectors say so */
-  square = fc_num_from_u64((uint64_t)fc_small_dot(v, v), 0);
-  value = fc_num_mul(fc_num_from_u64((uint64_t)fc_small_dot(n, n), 0), square);
-  value = fc_num_div(fc_num_from_u64((uint64_t)along, 0), fc_num_sqrt(value));
+  inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_dot(v, v), 0));
+  value = fc_quick_mul(fc_quick_from((uint64_t)along, 0), inverse);
+  value = fc_quick_mul(value, fc_quick_rsqrt(fc_quick_from((uint64_t)fc_dot(n, n), 0)));
   if (light->inverse_square) {
-    int32_t unit = (int32_t)frame->view.shift - frame->view.fine + frame->scene.exponent - 16 + v_shift;
-    value = fc_num_div(value, fc_num_scale(square, 2 * unit));
+    int16_t unit = (int16_t)(frame->view.shift - frame->view.fine + frame->scene.exponent - 16 + v_shift);
+    value = fc_quick_scale(fc_quick_mul(value, fc_quick_mul(inverse, inverse)), (int16_t)(-2 * unit));
   }
-  q = fc_num_round(value, 24 + light->intensity_exponent);
-  return q > UINT32_MAX ? UINT32_MAX : (uint32_t)q;
+  value.e = (int16_t)(value.e + 24 + light->intensity_exponent);
+  return value.e > 0 ? UINT32_MAX : (uint32_t)fc_quick_to_u64(value);
 }
 
 FC_COLD void fc_surface_segment(const fc_surface *surface, const int64_t light[3], fc_segment *segment) {
@@ -71,8 +76,7 @@ FC_COLD void fc_surface_segment(const fc_surface *surface, const int64_t light[3
   }
   segment->root = &surface->root;
   segment->direction = surface->direction;
-  segment->point_error = 1;
-  segment->point_valid = surface->point_valid;
+  segment->point_error = surface->point_error;
   segment->outside = true;
   fc_segment_prepare(segment);
 }
@@ -85,7 +89,6 @@ FC_COLD bool fc_light_reaches(const fc_frame *frame, const fc_space *space, cons
   segment.root = NULL;
   segment.outside = false; /* rounded, it may have slipped through */
   segment.point_error = 0;
-  segment.point_valid = true;
   fc_surface_offset(surface, frame->options.offset_rule, frame->epsilon_grid, segment.point);
   fc_segment_prepare(&segment);
   return !fc_space_blocked(space, &segment, FC_PRIMITIVES_MAX);

@@ -5,7 +5,7 @@
 #include "fixcast/error.h"
 #include "search.h"
 
-void fc_cursor_start(fc_cursor *cursor, const fc_space *space) {
+FC_COLD void fc_cursor_start(fc_cursor *cursor, const fc_space *space) {
   cursor->space = space;
   cursor->table = 0;
   cursor->bytes = 0;
@@ -13,7 +13,7 @@ void fc_cursor_start(fc_cursor *cursor, const fc_space *space) {
   cursor->group.first = 0;
 }
 
-bool fc_cursor_next(fc_cursor *cursor) {
+FC_COLD bool fc_cursor_next(fc_cursor *cursor) {
   const fc_space *space = cursor->space;
   if (cursor->table > 0) cursor->bytes += fc_kind_of(cursor)->memory(&cursor->group.shapes);
   if (cursor->table == space->scene->shape_count) return false;
@@ -27,7 +27,7 @@ bool fc_cursor_next(fc_cursor *cursor) {
   return true;
 }
 
-bool fc_cursor_find(fc_cursor *cursor, const fc_space *space, uint16_t primitive, uint16_t *index) {
+FC_COLD bool fc_cursor_find(fc_cursor *cursor, const fc_space *space, uint16_t primitive, uint16_t *index) {
   fc_cursor_start(cursor, space);
   while (fc_cursor_next(cursor)) {
     *index = (uint16_t)(primitive - cursor->group.first);
@@ -48,7 +48,7 @@ static int check_light(const fc_scene *scene, uint16_t index) {
   return FC_OK;
 }
 
-int fc_scene_check_tables(const fc_scene *scene) {
+FC_COLD int fc_scene_check_tables(const fc_scene *scene) {
   uint32_t primitives = 0;
   uint16_t i;
   if ((scene->shapes == NULL && scene->shape_count > 0) || (scene->materials == NULL && scene->material_count > 0) ||
@@ -76,7 +76,7 @@ int fc_scene_check_tables(const fc_scene *scene) {
   return FC_OK;
 }
 
-int fc_scene_check(const fc_scene *scene_rom) {
+FC_COLD int fc_scene_check(const fc_scene *scene_rom) {
   fc_scene scene;
   fc_bvh bvh;
   fc_bvh_kind kind;
@@ -91,7 +91,7 @@ int fc_scene_check(const fc_scene *scene_rom) {
   return kind.check(&scene, &bvh);
 }
 
-bool fc_space_search(const fc_space *space, fc_reach *reach, fc_visit *visit, void *context) {
+FC_COLD bool fc_space_search(const fc_space *space, fc_reach *reach, fc_visit *visit, void *context) {
   bool sieve = reach != NULL && space->scene->bvh != NULL;
   fc_bvh bvh;
   fc_bvh_kind kind;
@@ -123,7 +123,7 @@ static bool blocks(void *context, const fc_cursor *at, uint16_t index) {
   return fc_kind_of(at)->blocked(&form, test->segment);
 }
 
-bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t skip) {
+FC_COLD bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t skip) {
   block_test test;
   fc_reach reach;
   test.segment = segment;
@@ -133,10 +133,10 @@ bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t
   reach.corners = 1;
   reach.radius = segment->point_error;
   reach.limited = false;
-  return fc_space_search(space, segment->point_valid ? &reach : NULL, blocks, &test);
+  return fc_space_search(space, segment->point_error != UINT32_MAX ? &reach : NULL, blocks, &test);
 }
 
-bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primitive, const int64_t origin[3],
+FC_COLD bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primitive, const int64_t origin[3],
                      const int64_t direction[3]) {
   uint16_t index;
   if (!fc_cursor_find(&surface->at, space, primitive, &index)) return false;
@@ -148,9 +148,8 @@ bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primit
   return fc_kind_of(&surface->at)->test(&surface->prepared, direction, &surface->root) != 0;
 }
 
-void fc_surface_complete(fc_surface *surface) {
-  surface->point_valid =
-      fc_point_at(fc_root_value(&surface->root), surface->origin, surface->direction, surface->point);
+FC_COLD void fc_surface_complete(fc_surface *surface) {
+  surface->point_error = fc_point_near(fc_root_quick(&surface->root), surface->origin, surface->direction, surface->point);
   surface->inside =
       fc_kind_of(&surface->at)->normal(&surface->form, &surface->prepared, surface->point, surface->normal) || surface->root.q > 0;
 }

@@ -71,10 +71,10 @@ typedef struct fc_surface {
   fc_prepared prepared;
   fc_root root;
   const int64_t *origin, *direction;
-  int64_t point[3];  /* rounded */
+  int64_t point[3];  /* rounded, within point_error */
   int64_t normal[3]; /* any length, not yet turned to the ray's side */
   uint16_t primitive;
-  bool point_valid;
+  uint32_t point_error; /* of each coordinate; UINT32_MAX: only the root says where the point is */
   bool inside;
 } fc_surface;
 

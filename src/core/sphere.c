@@ -103,11 +103,6 @@ static FC_COLD void fetch(const fc_group *group, uint16_t index, fc_form *form) 
   }
 }
 
-/* |v|^2 - r^2 for v below 2^62, exact. */
-static FC_COLD fc_i128 power(const int64_t v[3], int64_t radius) {
-  return fc_i128_sub(fc_i128_dot(v, v), fc_i128_mul(radius, radius));
-}
-
 static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
   int64_t *oc = prepared->u.sphere.oc, r = form->u.sphere.radius;
   uint64_t far, near = (uint64_t)(r * r);
@@ -138,9 +133,11 @@ static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction
 
 static FC_COLD int8_t side(const fc_form *form, const int64_t point[3]) {
   int64_t v[3];
+  fc_i128 square;
   uint8_t i;
   for (i = 0; i < 3; i++) v[i] = point[i] - form->u.sphere.center[i];
-  return fc_i128_sign(power(v, form->u.sphere.radius));
+  square = fc_i128_dot(v, v);
+  return fc_i128_compare(square, fc_i128_from(form->u.sphere.radius * form->u.sphere.radius));
 }
 
 static FC_COLD void bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {

@@ -30,6 +30,9 @@ static inline int16_t fc_view_far_exponent(const fc_frame *frame) {
 /* Whether a primary hit is beyond the scene's far limit. */
 bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t direction[3]);
 
+/* Three coordinates; whether they are within +-FC_COORDINATE_MAX. */
+bool fc_load(const fc_vec3 *v, int64_t r[3]);
+
 /* |v| as a value. */
 fc_num fc_length(const int64_t v[3]);
 

@@ -7,6 +7,7 @@ CHIPS = ("m0plus", "m3", "m4", "m4f", "rv32")
 SPHERES = ("s5s1", "s5s8", "s5s64", "s5s512")
 LIT_FIELDS = ("s5t5", "s5t10", "s5t21", "s5t45")
 FLAT_FIELDS = ("s5f5", "s5f10", "s5f21", "s5f45")
+CULLED_FIELDS = ("s5c10", "s5c45")
 SIZES = ((64, 64), (240, 240), (320, 240))
 
 
@@ -31,8 +32,8 @@ def plan():
     todo += each(SPHERES, CHIPS, ("fixcast",))
     todo += each(SPHERES, ("m0plus", "m3", "m4f"), ("float",)) + each(SPHERES, ("m0plus", "m3"), ("q16",))
     todo += each(SPHERES, ("m4f",), ("scan_float",))
-    todo += each(LIT_FIELDS + FLAT_FIELDS, ("m0plus", "m3"), ("fixcast",))
-    todo += each(FLAT_FIELDS, ("m0plus", "m3"), ("fixed",)) + each(FLAT_FIELDS, ("m4f",), ("float",))
+    todo += each(LIT_FIELDS + FLAT_FIELDS + CULLED_FIELDS, ("m0plus", "m3"), ("fixcast",))
+    todo += each(FLAT_FIELDS, ("m0plus", "m3"), ("fixed",)) + each(FLAT_FIELDS, ("m4f",), ("fixcast", "float"))
     todo += each(("s1", "s1r", "s2", "s4", "s5s8", "s5t10"), ("m0plus", "m3"), ("fixcast",), SIZES)
     todo += each(("s1", "s1r", "s2", "s4"), ("rp2040",), ("fixcast",), ((240, 240),))
     todo += each(("s1",), ("rp2040",), ("fixcast", "q16", "float"))

@@ -108,6 +108,7 @@ static void test_g2_fallbacks_agree_with_filters(void) {
     fc_root root[2];
     fc_segment segment;
     int64_t d[3];
+    uint32_t error;
     int i, from = trial % 3, by = trial / 3 % 3;
     bool quick, exact;
     random_form(from, &receiver);
@@ -128,18 +129,20 @@ static void test_g2_fallbacks_agree_with_filters(void) {
     segment.outside = false;
     segment.root = &root[0];
     segment.direction = d;
-    segment.point_error = 1;
-    segment.point_valid = fc_point_at(fc_root_value(&root[0]), eye, d, segment.point);
+    segment.point_error = fc_point_near(fc_root_quick(&root[0]), eye, d, segment.point);
     fc_segment_prepare(&segment);
-    if (!segment.point_valid) continue;
+    if (segment.point_error == UINT32_MAX) continue;
     used++;
     quick = kinds[by]->blocked(&occluder, &segment);
     blocked += quick;
-    segment.point_valid = false;
+    error = segment.point_error;
+    segment.point_error = UINT32_MAX;
+    fc_segment_prepare(&segment);
     exact = kinds[by]->blocked(&occluder, &segment);
     TEST_ASSERT_EQUAL_INT(exact, quick);
     exact = kinds[from]->facing(&receiver, &prepared, &segment);
-    segment.point_valid = true;
+    segment.point_error = error;
+    fc_segment_prepare(&segment);
     quick = kinds[from]->facing(&receiver, &prepared, &segment);
     TEST_ASSERT_EQUAL_INT(exact, quick);
   }
@@ -192,10 +195,10 @@ static void test_g2_filters_hold_beside_edges_and_tangents(void) {
       form.u.sphere.radius = (int64_t)fc_num_round(fc_num_sqrt(fc_num_div(area, length)), 0) + random_within(-1, 1);
       if (form.u.sphere.radius < 1) continue;
     }
-    segment.point_valid = true;
     fc_segment_prepare(&segment);
     quick = kind->blocked(&form, &segment);
-    segment.point_valid = false;
+    segment.point_error = UINT32_MAX;
+    fc_segment_prepare(&segment);
     exact = kind->blocked(&form, &segment);
     blocked += exact;
     TEST_ASSERT_EQUAL_INT(exact, quick);
@@ -226,8 +229,7 @@ static void test_g9_a_sphere_does_not_shadow_itself(void) {
     segment.outside = false;
     segment.root = &root[0];
     segment.direction = d;
-    segment.point_error = 1;
-    segment.point_valid = fc_point_at(fc_root_value(&root[0]), eye, d, segment.point);
+    segment.point_error = fc_point_near(fc_root_quick(&root[0]), eye, d, segment.point);
     fc_segment_prepare(&segment);
     if (!fc_kind_sphere.facing(&form, &prepared, &segment)) continue;
     facing++;

@@ -445,7 +445,6 @@ static void test_g13_placed_primitives_are_found_outside_their_boxes(void) {
         segment.point[j] = to[j];
         to[j] -= from[j];
       }
-      segment.point_valid = true;
       fc_segment_prepare(&segment);
       expected = fc_space_blocked(&all, &segment, 0xffff);
       blocked += expected;
