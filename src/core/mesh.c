@@ -14,14 +14,12 @@
 
 uint32_t fc_recip_q63(uint32_t m) {
   /* r = 2^31 / m16 for m16 = m / 2^16 rounded: within (1 + 2^-1) 2^-15 of 2^47 / m, 17 bits. The rest 2^47 - m r is below
-   * 2^47 2^-14.4 < 2^33, a quarter of it below 2^31; a Newton step squares the error: 2^-28.8. */
+   * 2^47 2^-14.4 < 2^33, a quarter of it below 2^31 and so known by its low word; a Newton step squares the error: 2^-28.8. */
   uint32_t m16 = (m >> 16) + (m >> 15 & 1), r, rest_high;
-  uint64_t rest;
   int32_t quarter;
   if (m16 > 0xffff) m16 = 0xffff;
   r = fc_recip_q31(m16);
-  rest = (UINT64_C(1) << 47) - fc_mul32(m, r);
-  quarter = fc_to_i32((uint32_t)(rest >> 2));
+  quarter = fc_to_i32(0u - (m >> 2) * r - (((m & 3) * r + 3) >> 2));
   /* r 2^16 + r rest / 2^31 = r 2^16 + quarter (r 2^14) / 2^32 * 2^17 / 2^14 ... in units of 2^12 after the product */
   rest_high = (uint32_t)fc_floor_shift32(fc_smulhi32(quarter, r << 15), 12);
   if (r >> 16) { /* 2^16: 2^32 less what the rest takes off */
