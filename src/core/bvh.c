@@ -33,50 +33,61 @@ typedef struct cell_box {
 /* ceil(v / 2^s) */
 static int64_t ceil_shift(int64_t v, uint8_t s) { return -fc_floor_shift64(-v, s); }
 
-/* The box of a point and what lies within `radius` of it, an axis; false when it is too far away to say. */
-static bool locate(const fc_bvh *bvh, const fc_view *view, const int64_t point[3], int64_t radius, cell_box *box) {
-  int64_t origin[3];
-  uint8_t i, j, bits = fc_vector_bits(point), drop;
+/* The box of some points and what lies within `radius` of them, an axis; false when they are too far away to say. */
+static FC_NOINLINE bool locate(const fc_bvh *bvh, const fc_view *view, const int64_t *points, uint8_t count, int64_t radius,
+                               cell_box *box) {
+  int64_t origin[3], around = radius;
+  uint8_t i, j, k, bits = 0, drop;
   origin[0] = bvh->origin.x;
   origin[1] = bvh->origin.y;
   origin[2] = bvh->origin.z;
-  if (bits > 62) return false;
-  if (view == NULL) {
-    for (i = 0; i < 3; i++) {
-      /* 2^62 + 2^31 + 2^31 */
-      box->low[i] = fc_floor_shift64(point[i] - origin[i] - radius, bvh->shift);
-      box->high[i] = ceil_shift(point[i] - origin[i] + radius, bvh->shift);
-    }
-    return bits <= 60;
+  for (k = 0; k < count; k++) {
+    uint8_t b = fc_vector_bits(points + 3 * k);
+    if (b > bits) bits = b;
   }
-  drop = bits > 31 ? (uint8_t)(bits - 31) : 0; /* a far point in coarser units */
-  {
-    /* Units of 2^(drop - 30) of the camera grid's. A column of the rows is at most 2^30 sqrt(3) in |.|_1: with floors below 2^31
-     * in magnitude its dot product is below 2^61.8, an error of 1 an axis below 2^31, radius and margin below 2^61.1: the
-     * sums fit. One cell is 2^down of these units. */
-    int64_t reach = (radius + MARGIN + (INT64_C(1) << drop) - 1) >> drop, around;
-    int16_t down = (int16_t)(30 - drop - view->shift + view->fine + bvh->shift);
-    int32_t p[3];
-    for (i = 0; i < 3; i++) p[i] = (int32_t)fc_floor_shift64(point[i], drop);
-    around = reach * (INT64_C(1) << 30) + (drop != 0 ? INT64_C(1) << 31 : 0);
-    for (i = 0; i < 3; i++) {
-      int64_t along = 0, eye, low, high;
-      for (j = 0; j < 3; j++) along += fc_smul32(view->row[j][i], p[j]);
-      low = along - around;
-      high = along + around;
-      if (down >= 0) {
-        low = fc_floor_shift64(low, (uint8_t)(down > 63 ? 63 : down));
-        high = ceil_shift(high, (uint8_t)(down > 63 ? 63 : down));
+  if (bits > (view == NULL ? 60 : 62)) return false;
+  drop = bits > 31 ? (uint8_t)(bits - 31) : 0; /* far points in coarser units */
+  if (view != NULL) {
+    around = (radius + MARGIN + (INT64_C(1) << drop) - 1) >> drop;
+    around = (int64_t)((uint64_t)around << 30) + (drop != 0 ? INT64_C(1) << 31 : 0);
+  }
+  for (i = 0; i < 3; i++) {
+    int64_t low = 0, high = 0, eye = -origin[i]; /* 2^62 + 2^31 + 2^31 */
+    uint8_t down = bvh->shift;
+    for (k = 0; k < count; k++) {
+      const int64_t *point = points + 3 * k;
+      int64_t along = 0;
+      /* Units of 2^(drop - 30) of the camera grid's. A column of the rows is at most 2^30 sqrt(3) in |.|_1: with floors below 2^31
+       * in magnitude its dot product is below 2^61.8, an error of 1 an axis below 2^31, radius and margin below 2^61.1: the
+       * sums fit. One cell is 2^down of these units. */
+      if (view == NULL)
+        along = point[i];
+      else
+        for (j = 0; j < 3; j++) along += fc_smul32(view->row[j][i], (int32_t)fc_floor_shift64(point[j], drop));
+      if (k == 0 || along < low) low = along;
+      if (k == 0 || along > high) high = along;
+    }
+    low -= around;
+    high += around;
+    if (view != NULL) {
+      int16_t by = (int16_t)(30 - drop - view->shift + view->fine + bvh->shift);
+      if (by >= 0) {
+        low = fc_floor_shift64(low, (uint8_t)(by > 63 ? 63 : by));
+        high = ceil_shift(high, (uint8_t)(by > 63 ? 63 : by));
       } else {
-        if (fc_bits64(fc_abs64(low) | fc_abs64(high)) - down > 60) return false;
-        low *= INT64_C(1) << -down;
-        high *= INT64_C(1) << -down;
+        if (fc_bits64(fc_abs64(low) | fc_abs64(high)) - by > 60) return false;
+        low *= INT64_C(1) << -by;
+        high *= INT64_C(1) << -by;
       }
       /* The eye, 2^61, less the origin, 2^31 * 2^31, in 2^(fine + shift) to a cell. */
-      eye = view->eye[i] - origin[i] * (INT64_C(1) << view->fine);
-      box->low[i] = low + fc_floor_shift64(eye, (uint8_t)(view->fine + bvh->shift));
-      box->high[i] = high + ceil_shift(eye, (uint8_t)(view->fine + bvh->shift));
+      eye = view->eye[i] - fc_to_i64((uint64_t)origin[i] << view->fine);
+      down = (uint8_t)(view->fine + bvh->shift);
+      box->low[i] = low + fc_floor_shift64(eye, down);
+      box->high[i] = high + ceil_shift(eye, down);
       if (fc_bits64(fc_abs64(box->low[i]) | fc_abs64(box->high[i])) > 61) return false;
+    } else {
+      box->low[i] = fc_floor_shift64(low + eye, down);
+      box->high[i] = ceil_shift(high + eye, down);
     }
   }
   return true;
@@ -104,7 +115,7 @@ static bool far_off(const cell_box *box) {
 /* Moves a far end of the sweep towards the other one, past what is beyond one side of the root; returns how far, Q62. The sides
  * that an end is beyond are left one by one, so bisection finds where the last of them is. Halving bounds by floor and ceiling
  * gives floor((B - A) / 2^n), so each step taken loosens the box by less than 1. */
-static uint64_t draw_near(cell_box *end, const cell_box *other) {
+static FC_COLD uint64_t draw_near(cell_box *end, const cell_box *other) {
   uint64_t moved = 0, part = UINT64_C(1) << 62;
   cell_box step, next;
   uint8_t faces = beyond(end), i;
@@ -163,7 +174,7 @@ static void set_bound(bound *b, int64_t start, int64_t change) {
 }
 
 /* Rounds a t up to the sweep's Q31: by 2^-21 of itself, which is more than its error, and by 2^-23 for the quotient's. */
-static uint32_t part_of(const sweep *s, fc_quick t) {
+static FC_COLD uint32_t part_of(const sweep *s, fc_quick t) {
   const uint32_t one = UINT32_C(1) << 31;
   uint64_t at;
   uint32_t part;
@@ -179,7 +190,7 @@ static uint32_t part_of(const sweep *s, fc_quick t) {
 }
 
 /* The end of a ray: farther out than anything can be, 2^31 in world space and 2^30 in a camera's. */
-static uint8_t ray_end(const fc_reach *reach, int64_t to[3]) {
+static FC_COLD uint8_t ray_end(const fc_reach *reach, int64_t to[3]) {
   uint8_t bits = fc_vector_bits(reach->to), from = fc_vector_bits(reach->from), i, scale;
   /* the largest component is at least 2^(33 - 1) and twice the origin's */
   scale = (uint8_t)((from > 31 ? from + 2 : 33) - bits);
@@ -194,24 +205,15 @@ static uint8_t start(sweep *s, const fc_bvh *bvh, const fc_view *view, const fc_
   cell_box from, to, whole;
   uint8_t i, bits = 0;
   if (reach->radius < 0 || reach->radius >> 31 != 0) return VISIT_ALL;
-  if (!locate(bvh, view, reach->from, 0, &from)) return VISIT_ALL;
+  if (!locate(bvh, view, reach->from, 1, 0, &from)) return VISIT_ALL;
   s->scale = 0;
   if (reach->corners == 0) {
     int64_t end[3];
     if (fc_vector_bits(reach->to) > 30 || fc_vector_bits(reach->from) > 56) return VISIT_ALL;
     s->scale = ray_end(reach, end);
-    if (!locate(bvh, view, end, 0, &to)) return VISIT_ALL;
-  } else {
-    uint8_t corner;
-    if (!locate(bvh, view, reach->to, reach->radius, &to)) return VISIT_ALL;
-    for (corner = 1; corner < reach->corners; corner++) {
-      cell_box more;
-      if (!locate(bvh, view, reach->to + 3 * corner, reach->radius, &more)) return VISIT_ALL;
-      for (i = 0; i < 3; i++) {
-        if (more.low[i] < to.low[i]) to.low[i] = more.low[i];
-        if (more.high[i] > to.high[i]) to.high[i] = more.high[i];
-      }
-    }
+    if (!locate(bvh, view, end, 1, 0, &to)) return VISIT_ALL;
+  } else if (!locate(bvh, view, reach->to, reach->corners, reach->radius, &to)) {
+    return VISIT_ALL;
   }
   whole = from;
   s->begin = draw_near(&from, &to);
@@ -346,7 +348,7 @@ static bool search(const fc_bvh *bvh, const fc_space *space, fc_reach *reach, fc
 
 /* ---- trust ---- */
 
-uint32_t fc_bvh_count(const fc_scene *scene) {
+FC_COLD uint32_t fc_bvh_count(const fc_scene *scene) {
   uint32_t count = 0;
   fc_space space;
   fc_cursor cursor;
@@ -359,7 +361,7 @@ uint32_t fc_bvh_count(const fc_scene *scene) {
 
 /* Every number of the order once: 512 of them at a time, marked in a bitmap. As there are as many as finite primitives, and
  * leaves_hold finds each to be one, none is missing then. */
-static bool each_once(const fc_bvh *bvh) {
+static FC_COLD bool each_once(const fc_bvh *bvh) {
   uint32_t first;
   for (first = 0; first < FC_PRIMITIVES_MAX; first += 512) {
     uint32_t seen[16];
@@ -382,7 +384,7 @@ static bool each_once(const fc_bvh *bvh) {
   return true;
 }
 
-static bool leaf_holds(const fc_bvh *bvh, const fc_space *space, uint32_t leaf, fc_cursor *at) {
+static FC_COLD bool leaf_holds(const fc_bvh *bvh, const fc_space *space, uint32_t leaf, fc_cursor *at) {
   fc_bvh_node copy;
   const fc_bvh_node *node = node_at(bvh, fc_bvh_leaves(bvh) + leaf, &copy);
   int64_t box_low[3], box_high[3], origin[3];
@@ -406,7 +408,7 @@ static bool leaf_holds(const fc_bvh *bvh, const fc_space *space, uint32_t leaf, 
   return true;
 }
 
-static bool holds(const fc_bvh *bvh, uint32_t node, uint32_t child) {
+static FC_COLD bool holds(const fc_bvh *bvh, uint32_t node, uint32_t child) {
   fc_bvh_node copy[2];
   const fc_bvh_node *outer = node_at(bvh, node, &copy[0]), *inner = node_at(bvh, child, &copy[1]);
   uint8_t j;
@@ -416,7 +418,7 @@ static bool holds(const fc_bvh *bvh, uint32_t node, uint32_t child) {
   return true;
 }
 
-static int check(const fc_scene *scene, const fc_bvh *bvh) {
+static FC_COLD int check(const fc_scene *scene, const fc_bvh *bvh) {
   uint32_t leaves, i;
   fc_space space;
   fc_cursor at;

@@ -24,8 +24,8 @@ bool fc_facet_edges(fc_facet *facet, const fc_frame *frame, const fc_corners *co
   int32_t x[3], y[3], half;
   *hidden = false;
   /* Differences below 2^31, products below 2^62. Each difference is off by 2 FC_CORNER_ERROR at most, and no longer than `side`. */
-  area = fc_smul32(corners->x[1] - corners->x[0], corners->y[2] - corners->y[0]) -
-         fc_smul32(corners->x[2] - corners->x[0], corners->y[1] - corners->y[0]);
+  area = fc_product(corners->x[1] - corners->x[0], corners->y[2] - corners->y[0]) -
+         fc_product(corners->x[2] - corners->x[0], corners->y[1] - corners->y[0]);
   slack = ((int64_t)side * (8 * FC_CORNER_ERROR) << fraction) + 8 * FC_CORNER_ERROR * FC_CORNER_ERROR;
   if (area <= slack && area >= -slack) return false;
   /* y runs down: positive is the side on which normal . vertex < 0 */
@@ -96,13 +96,6 @@ static uint64_t times(uint64_t v, int32_t n) { return v * (uint64_t)(int64_t)n; 
 
 static uint32_t size_of(uint64_t v) { return (uint32_t)(fc_abs64(fc_to_i64(v)) >> 32); }
 
-/* Twice the pixels from the frame's centre line to the farther of two columns or rows. */
-static int32_t furthest(int32_t a, int32_t b, uint16_t size) {
-  a = size - 2 * a;
-  b = 2 * b + 2 - size;
-  return a > b ? a : b;
-}
-
 /* Whether a coordinate was cut before it was projected. */
 static uint8_t coarse(const fc_corners *corners, const fc_placed_mesh *mesh) {
   uint8_t i;
@@ -115,8 +108,8 @@ static uint8_t coarse(const fc_corners *corners, const fc_placed_mesh *mesh) {
 static uint32_t at_centre(const fc_facet *facet, const fc_frame *frame, const fc_tile *tile) {
   /* high words are floors: off by a pixel's worth of 1 a step; 31 + 13 bits */
   int32_t columns = frame->width / 2 - tile->x0, rows = frame->height / 2 - tile->y0;
-  int64_t p = (int64_t)(facet->p >> 32) + fc_smul32(fc_high_word(fc_to_i64(facet->px)), columns) +
-              fc_smul32(fc_high_word(fc_to_i64(facet->py)), rows);
+  int64_t p = (int64_t)(facet->p >> 32) + fc_product(fc_high_word(fc_to_i64(facet->px)), columns) +
+              fc_product(fc_high_word(fc_to_i64(facet->py)), rows);
   /* and half a pixel from the middle of the middle one */
   uint64_t size = fc_abs64(p) + fc_abs32(columns) + fc_abs32(rows) + size_of(facet->px) + size_of(facet->py) + 2;
   return (uint32_t)(size >> 27) + 1;
@@ -128,7 +121,7 @@ bool fc_facet_depth(fc_facet *facet, const fc_frame *frame, const fc_placed_mesh
   uint32_t p[3], reciprocal, steep, across;
   int32_t x1 = corners->x[1] - corners->x[0], x2 = corners->x[2] - corners->x[0];
   int32_t y1 = corners->y[1] - corners->y[0], y2 = corners->y[2] - corners->y[0], p1, p2, off_x, off_y;
-  int64_t determinant = fc_smul32(x1, y2) - fc_smul32(x2, y1);
+  int64_t determinant = fc_product(x1, y2) - fc_product(x2, y1);
   int32_t m;
   uint8_t cut;
   int16_t exponent;
@@ -155,8 +148,8 @@ bool fc_facet_depth(fc_facet *facet, const fc_frame *frame, const fc_placed_mesh
       p2 = -p2;
     }
     /* Through the three corners: 31 + 31 bits, two products. Flat triangles seen from afar are steep: four bits less then. */
-    if (slope(fc_smul32(p1, y2) - fc_smul32(p2, y1), reciprocal, exponent, &facet->px) &&
-        slope(fc_smul32(p2, x1) - fc_smul32(p1, x2), reciprocal, exponent, &facet->py))
+    if (slope(fc_product(p1, y2) - fc_product(p2, y1), reciprocal, exponent, &facet->px) &&
+        slope(fc_product(p2, x1) - fc_product(p1, x2), reciprocal, exponent, &facet->py))
       break;
     if (cut == 8) return false;
   }
@@ -289,11 +282,11 @@ static uint32_t moved(uint32_t g, int32_t off, uint8_t fraction) {
 
 bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_placed_mesh *mesh) {
   const fc_corners *corners = facet->corners;
-  const fc_tile *box = facet->box, *tile = facet->tile;
+  const fc_tile *tile = facet->tile;
   const uint8_t fraction = corners->fraction;
   const int32_t x1 = corners->x[1] - corners->x[0], x2 = corners->x[2] - corners->x[0];
   const int32_t y1 = corners->y[1] - corners->y[0], y2 = corners->y[2] - corners->y[0];
-  int64_t area = fc_smul32(x1, y2) - fc_smul32(x2, y1);
+  int64_t area = fc_product(x1, y2) - fc_product(x2, y1);
   const int32_t left = (2 * tile->x0 + 1 - frame->width) * (INT32_C(1) << (fraction - 1));
   const int32_t top = (2 * tile->y0 + 1 - frame->height) * (INT32_C(1) << (fraction - 1));
   int32_t p1, p2;
@@ -317,16 +310,16 @@ bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_place
   /* 1 / |area| = reciprocal 2^(-63 - exponent); the area is not 0, as the edges have told */
   reciprocal = fc_recip_q63(normal_of(fc_abs64(area), &exponent));
   exponent = (int16_t)(fraction - 31 - exponent);
-  if (!short_slope(fc_smul32(p1, y2) - fc_smul32(p2, y1), reciprocal, exponent, &facet->px) ||
-      !short_slope(fc_smul32(p2, x1) - fc_smul32(p1, x2), reciprocal, exponent, &facet->py))
+  if (!short_slope(fc_product(p1, y2) - fc_product(p2, y1), reciprocal, exponent, &facet->px) ||
+      !short_slope(fc_product(p2, x1) - fc_product(p1, x2), reciprocal, exponent, &facet->py))
     return false;
   facet->p = p[0] + moved(facet->px, left - corners->x[0], fraction) + moved(facet->py, top - corners->y[0], fraction);
-  /* as in fc_facet_depth; slopes are rounded to 1/2, over `side` columns and rows; at the centre at most p + steep * reach */
+  /* as in fc_facet_depth; slopes are rounded to 1/2, over `side` columns and rows; at the frame's centre, within half
+   * its size and 32 pixels each way, at most p + steep * reach */
   steep = fc_abs32(fc_to_i32(facet->px)) + fc_abs32(fc_to_i32(facet->py)) + 2;
   low -= 2 < low ? 2 : low;
   facet->error = 2 + 16 + 1 + (steep >> (fraction - 1)) + facet->side + 4 +
-                 fc_mulhi32(steep, (facet->side + 1 + (uint32_t)(furthest(box->x0, box->x1, frame->width) +
-                                                                 furthest(box->y0, box->y1, frame->height)) / 2) << 5) + 1;
+                 fc_mulhi32(steep, (facet->side + 65 + (uint32_t)(frame->width + frame->height) / 2) << 5) + 1;
   facet->least = low > facet->error ? low - facet->error : 0;
   facet->most = high + facet->error + 2;
   return true;
@@ -337,7 +330,7 @@ static fc_i128 to_bits(fc_i128 v, uint8_t bits) {
   return bits < 62 ? fc_i128_shift_left(v, (uint8_t)(62 - bits)) : fc_i128_floor_shift(v, (uint8_t)(bits - 62));
 }
 
-bool fc_facet_exact(fc_facet *facet, const fc_frame *frame, const fc_prepared *prepared, const fc_tile *tile) {
+FC_COLD bool fc_facet_exact(fc_facet *facet, const fc_frame *frame, const fc_prepared *prepared, const fc_tile *tile) {
   int64_t d[3], step = INT64_C(2) << frame->view.pixel_shift, e[3], ex[3], ey[3];
   uint32_t columns = (uint32_t)(tile->x1 - tile->x0) + 1, rows = (uint32_t)(tile->y1 - tile->y0) + 1;
   uint64_t most = 0, reach;

@@ -44,7 +44,7 @@ static FC_COLD void choose_grid(fc_frame *frame) {
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) {
     fc_num extent = fc_kind_of(&cursor)->extent(&frame->view, &cursor.group.shapes);
-    if (fc_num_compare(extent, most) > 0) most = extent;
+    if (fc_num_order_of(&extent, &most) > 0) most = extent;
   }
   shift = most.e + 63 - 30;
   if (most.m > (UINT64_C(1) << 63) - (UINT64_C(1) << 38)) shift++; /* no room for rounding */

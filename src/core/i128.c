@@ -4,24 +4,39 @@
 #include "bits.h"
 #include "quick.h"
 
-FC_COLD fc_i128 fc_i128_mul_u64(uint64_t a, uint64_t b) {
+FC_COLD void fc_i128_plus(fc_i128 *r, const fc_i128 *b) {
+  uint64_t lo = r->lo + b->lo;
+  r->hi += b->hi + (lo < r->lo);
+  r->lo = lo;
+}
+
+FC_COLD void fc_i128_negate(fc_i128 *r) {
+  r->lo = 0u - r->lo;
+  r->hi = ~r->hi + (r->lo == 0);
+}
+
+FC_COLD void fc_i128_minus(fc_i128 *r, const fc_i128 *b) {
+  fc_i128 less = *b;
+  fc_i128_negate(&less);
+  fc_i128_plus(r, &less);
+}
+
+FC_COLD void fc_i128_set_product_u64(fc_i128 *r, uint64_t a, uint64_t b) {
   uint32_t a0 = (uint32_t)a, a1 = (uint32_t)(a >> 32), b0 = (uint32_t)b, b1 = (uint32_t)(b >> 32);
-  fc_i128 r;
-  r.hi = 0;
-  r.lo = fc_mul32(a0, b0);
+  r->hi = 0;
+  r->lo = fc_mul32(a0, b0);
   if ((a1 | b1) != 0) { /* most numbers are short */
     uint64_t m1 = fc_mul32(a1, b0), m2 = fc_mul32(a0, b1);
     /* three terms below 2^32 each: no carry out of 64 bits */
-    uint64_t middle = (r.lo >> 32) + (uint32_t)m1 + (uint32_t)m2;
-    r.lo = (middle << 32) | (uint32_t)r.lo;
-    r.hi = fc_mul32(a1, b1) + (m1 >> 32) + (m2 >> 32) + (middle >> 32);
+    uint64_t middle = (r->lo >> 32) + (uint32_t)m1 + (uint32_t)m2;
+    r->lo = (middle << 32) | (uint32_t)r->lo;
+    r->hi = fc_mul32(a1, b1) + (m1 >> 32) + (m2 >> 32) + (middle >> 32);
   }
-  return r;
 }
 
-FC_COLD fc_i128 fc_i128_mul(int64_t a, int64_t b) {
-  fc_i128 r = fc_i128_mul_u64(fc_abs64(a), fc_abs64(b));
-  return (a < 0) != (b < 0) ? fc_i128_neg(r) : r;
+FC_COLD void fc_i128_set_product(fc_i128 *r, int64_t a, int64_t b) {
+  fc_i128_set_product_u64(r, fc_abs64(a), fc_abs64(b));
+  if ((a < 0) != (b < 0)) fc_i128_negate(r);
 }
 
 FC_COLD fc_i128 fc_i128_scale(fc_i128 a, int64_t b) {
@@ -33,9 +48,12 @@ FC_COLD fc_i128 fc_i128_scale(fc_i128 a, int64_t b) {
 }
 
 FC_COLD fc_i128 fc_i128_dot(const int64_t a[3], const int64_t b[3]) {
-  fc_i128 r = {0, 0};
+  fc_i128 r = {0, 0}, term;
   uint8_t i;
-  for (i = 0; i < 3; i++) r = fc_i128_add(r, fc_i128_mul(a[i], b[i]));
+  for (i = 0; i < 3; i++) {
+    fc_i128_set_product(&term, a[i], b[i]);
+    fc_i128_plus(&r, &term);
+  }
   return r;
 }
 
@@ -74,6 +92,10 @@ FC_COLD fc_i128 fc_i128_round_shift(fc_i128 a, uint8_t s) {
   a = fc_i128_floor_shift(a, (uint8_t)(s - 1));
   if (++a.lo == 0) a.hi++;
   return fc_i128_floor_shift(a, 1);
+}
+
+FC_COLD void fc_i128_move(fc_i128 *r, int16_t s) {
+  *r = s >= 0 ? fc_i128_shift_left(*r, (uint8_t)s) : fc_i128_round_shift(*r, (uint8_t)-s);
 }
 
 FC_COLD uint8_t fc_i128_bits(fc_i128 a) {

@@ -19,21 +19,26 @@ static inline fc_i128 fc_i128_from(int64_t v) {
   return r;
 }
 
+/* In place: r += b, r -= b, r = -r. */
+void fc_i128_plus(fc_i128 *r, const fc_i128 *b);
+void fc_i128_minus(fc_i128 *r, const fc_i128 *b);
+void fc_i128_negate(fc_i128 *r);
+
+/* The same by value. */
 static inline fc_i128 fc_i128_add(fc_i128 a, fc_i128 b) {
-  fc_i128 r;
-  r.lo = a.lo + b.lo;
-  r.hi = a.hi + b.hi + (r.lo < a.lo);
-  return r;
+  fc_i128_plus(&a, &b);
+  return a;
+}
+
+static inline fc_i128 fc_i128_sub(fc_i128 a, fc_i128 b) {
+  fc_i128_minus(&a, &b);
+  return a;
 }
 
 static inline fc_i128 fc_i128_neg(fc_i128 a) {
-  fc_i128 r;
-  r.lo = 0u - a.lo;
-  r.hi = ~a.hi + (a.lo == 0);
-  return r;
+  fc_i128_negate(&a);
+  return a;
 }
-
-static inline fc_i128 fc_i128_sub(fc_i128 a, fc_i128 b) { return fc_i128_add(a, fc_i128_neg(b)); }
 
 static inline int8_t fc_i128_sign(fc_i128 a) {
   if (a.hi >> 63) return -1;
@@ -46,8 +51,20 @@ static inline fc_i128 fc_i128_abs(fc_i128 a) { return fc_i128_sign(a) < 0 ? fc_i
 int8_t fc_i128_compare(fc_i128 a, fc_i128 b);
 
 /* Exact products: 64 x 64 bits -> 128, unsigned and signed. */
-fc_i128 fc_i128_mul_u64(uint64_t a, uint64_t b);
-fc_i128 fc_i128_mul(int64_t a, int64_t b);
+void fc_i128_set_product_u64(fc_i128 *r, uint64_t a, uint64_t b);
+void fc_i128_set_product(fc_i128 *r, int64_t a, int64_t b);
+
+static inline fc_i128 fc_i128_mul_u64(uint64_t a, uint64_t b) {
+  fc_i128 r;
+  fc_i128_set_product_u64(&r, a, b);
+  return r;
+}
+
+static inline fc_i128 fc_i128_mul(int64_t a, int64_t b) {
+  fc_i128 r;
+  fc_i128_set_product(&r, a, b);
+  return r;
+}
 
 /* a * b for |a * b| < 2^127. */
 fc_i128 fc_i128_scale(fc_i128 a, int64_t b);
@@ -63,6 +80,9 @@ fc_i128 fc_i128_floor_shift(fc_i128 a, uint8_t s);
 
 /* round(a / 2^s), halves up, s 0..126. */
 fc_i128 fc_i128_round_shift(fc_i128 a, uint8_t s);
+
+/* r = round(r 2^s), halves up, s -126 .. 127, for a result within 2^127. */
+void fc_i128_move(fc_i128 *r, int16_t s);
 
 /* Bits of |a|; 0 for 0. */
 uint8_t fc_i128_bits(fc_i128 a);

@@ -6,10 +6,11 @@
 #include "scan_kinds.h"
 #include "view.h"
 
-/* Screen coordinates kept in 16 bits while the bins are filled, x in steps of 2: beyond the guard band, which bit 0 tells; not in
- * front of the eye. */
+/* Screen coordinates kept in 16 bits while the bins are filled, in steps of 2: beyond the guard band, which bit 0 tells; not in front of
+ * the eye. USED: a corner of some triangle in a bin. */
 #define SIDE INT32_C(32766)
-#define BEHIND UINT32_C(0x80008001)
+#define USED UINT32_C(0x10000)
+#define BEHIND UINT32_C(0x80018001)
 
 uint32_t fc_recip_q63(uint32_t m) {
   /* r = 2^31 / m16 for m16 = m / 2^16 rounded: within (1 + 2^-1) 2^-15 of 2^47 / m, 17 bits. The rest 2^47 - m r is below
@@ -31,6 +32,10 @@ uint32_t fc_recip_q63(uint32_t m) {
   return r + rest_high;
 }
 
+#ifdef FC_SHORT_MULTIPLIER
+int64_t fc_product(int32_t a, int32_t b) { return fc_smul32(a, b); }
+#endif
+
 size_t fc_mesh_memory(const fc_shapes *shapes) {
   size_t bytes = sizeof(fc_placed_mesh) + (size_t)shapes->vertex_count * sizeof(fc_placed_vertex) +
                  (size_t)shapes->count * sizeof(uint16_t) + ((size_t)shapes->count + 7) / 8;
@@ -46,7 +51,7 @@ static uint32_t split(fc_num v, int32_t *down) {
 static uint8_t bits16(uint16_t v) { return fc_bits64(v); }
 
 /* How this frame projects. */
-static void set_scales(const fc_frame *frame, fc_placed_mesh *mesh) {
+static FC_COLD void set_scales(const fc_frame *frame, fc_placed_mesh *mesh) {
   uint16_t longest = frame->width > frame->height ? frame->width : frame->height;
   uint8_t guard = bits16(longest); /* coordinates within 2^guard pixels of the centre */
   fc_num focal = fc_num_from_u64((uint64_t)frame->view.focal, -(int32_t)frame->view.pixel_shift - 1);
@@ -108,17 +113,14 @@ static void see_shortly(const fc_placed_mesh *mesh, fc_placed_vertex *v) {
   exponent = fc_seen_exponent(seen);
   x = short_coordinate(mesh, v->p[0], mantissa, exponent);
   y = short_coordinate(mesh, -v->p[1], mantissa, exponent);
-  v->seen = (uint32_t)y << 16 | ((uint32_t)x & 0xfffeu) | (x == SIDE || x == -SIDE || y == SIDE || y == -SIDE);
+  v->seen = ((uint32_t)y & 0xfffeu) << 16 | ((uint32_t)x & 0xfffeu) | (x == SIDE || x == -SIDE || y == SIDE || y == -SIDE);
 }
 
 static int32_t short_x(uint32_t seen) { return 2 * fc_floor_shift32(fc_to_i32(seen << 16), 17); }
-static int32_t short_y(uint32_t seen) { return fc_floor_shift32(fc_to_i32(seen), 16); }
+static int32_t short_y(uint32_t seen) { return 2 * fc_floor_shift32(fc_to_i32(seen), 17); }
 
 static void see_fully(const fc_placed_mesh *mesh, fc_placed_vertex *v) {
-  if (v->seen & 1)
-    v->seen = 0;
-  else
-    v->seen = see(mesh, (uint32_t)v->p[2]);
+  v->seen = (v->seen & (USED | 1)) == USED ? see(mesh, (uint32_t)v->p[2]) : 0;
 }
 
 /* What turns short coordinates into the pixels whose centres may lie between them. */
@@ -162,7 +164,7 @@ typedef struct glance {
   } while (0)
 
 /* Whether corners within the guard band say that the front is turned away. */
-static inline bool averted(uint32_t a, uint32_t b, uint32_t c) {
+static FC_NOINLINE bool averted(uint32_t a, uint32_t b, uint32_t c) {
   /* In units of 2 a coordinate is short by little more than 1, so a difference is off by less than 2, and below 2^15. y runs down:
    * the front is clockwise. */
   const int32_t ax = fc_floor_shift32(fc_to_i32(a << 16), 17), ay = fc_floor_shift32(fc_to_i32(a), 17);
@@ -227,20 +229,25 @@ void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *m
     uint32_t a, b, c;
     uint8_t level = 0, shift = mesh->band_shift;
     uint16_t *head;
+    bool odd;
     fc_read_triangle(shapes, i, &t);
     a = vertices[t.vertex[0]].seen;
     b = vertices[t.vertex[1]].seen;
     c = vertices[t.vertex[2]].seen;
-    if (a == BEHIND || b == BEHIND || c == BEHIND) {
+    odd = ((a | b | c) & 1) != 0;
+    if (!odd && shapes->cull && averted(a, b, c)) continue;
+    if (odd && (a == BEHIND || b == BEHIND || c == BEHIND)) {
       if (vertices[t.vertex[0]].p[2] <= 0 && vertices[t.vertex[1]].p[2] <= 0 && vertices[t.vertex[2]].p[2] <= 0) continue;
-    } else {
-      if (shapes->cull && ((a | b | c) & 1) == 0 && averted(a, b, c)) continue;
-      if (!rows_of(&g, a, b, c, &top, &bottom)) continue;
+    } else if (!rows_of(&g, a, b, c, &top, &bottom)) {
+      continue;
     }
     while ((bottom - top) >> shift != 0) {
       shift++;
       level++;
     }
+    vertices[t.vertex[0]].seen = a | USED;
+    vertices[t.vertex[1]].seen = b | USED;
+    vertices[t.vertex[2]].seen = c | USED;
     head = &mesh->head[fc_mesh_level(level) + (top >> shift)];
     next[i] = *head;
     *head = i;

@@ -12,7 +12,7 @@
 #include "quick.h"
 
 /* seen: F / z for the half focal length F in pixels, as (2^31 + mantissa bits 31..5 / 2) 2^(bits 4..0 - focal_down - 31), relative error
- * below 2^-27; 0 when the vertex is not in front of the eye, or too far to the side. */
+ * below 2^-27; 0 when the vertex is not in front of the eye, or too far to the side, or of no triangle in a bin. */
 typedef struct fc_placed_vertex {
   int32_t p[3];
   uint32_t seen;
@@ -56,6 +56,17 @@ static inline void fc_read_triangle(const fc_shapes *shapes, uint16_t index, fc_
 #endif
 }
 
+/* The triangle where it lies, or a copy where that cannot be read in place. */
+static inline const fc_triangle *fc_triangle_at(const fc_shapes *shapes, uint16_t index, fc_triangle *copy) {
+#ifdef FC_ROM_FAR
+  fc_read_triangle(shapes, index, copy);
+  return copy;
+#else
+  (void)copy;
+  return (const fc_triangle *)shapes->items + index;
+#endif
+}
+
 static inline void fc_read_vertex(const fc_shapes *shapes, uint16_t index, fc_vec3 *v) {
 #ifdef FC_ROM_FAR
   FC_READ(v, shapes->vertices + index, sizeof *v);
@@ -82,6 +93,13 @@ static inline uint8_t fc_seen_exponent(uint32_t seen) { return (uint8_t)(seen & 
 
 /* 2^63 / m for m in 2^31 .. 2^32-1, relative error below 2^-28.5, at most 2^32 - 1. */
 uint32_t fc_recip_q63(uint32_t m);
+
+/* a b. Where it takes four short products, a function: in line they want more registers than there are. */
+#ifdef FC_SHORT_MULTIPLIER
+int64_t fc_product(int32_t a, int32_t b);
+#else
+static inline int64_t fc_product(int32_t a, int32_t b) { return (int64_t)a * b; }
+#endif
 
 size_t fc_mesh_memory(const fc_shapes *shapes);
 

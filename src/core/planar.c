@@ -13,7 +13,7 @@ typedef struct cosine {
 /* 1 / |n|, and n / |n| in Q30. */
 static fc_quick normalise(const int64_t n[3], int32_t unit[3]) {
   /* below 2^30: a sum of squares below 2^62 */
-  fc_quick inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_small_dot(n, n), 0));
+  fc_quick inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_dot(n, n), 0));
   uint8_t i;
   for (i = 0; i < 3; i++) unit[i] = fc_quick_times(inverse, n[i], 30);
   return inverse;
@@ -33,24 +33,20 @@ static uint64_t reach_of(int64_t at, int64_t dx, int64_t dy, const fc_scan *scan
 /* W and the cosine's numerator over the tile; false when W is so small that its cuts would tell. */
 static FC_COLD bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
   const int64_t *n = planar->normal, *light = scan->frame->lights;
-  int64_t d[3], step, nd, ndx, ndy, at[3], dx[3], dy[3];
+  /* the direction, its steps, and their products with n, for W's three forms */
+  int64_t d[3][3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, step, nd[3], form[3][3];
   fc_quick factor;
   uint64_t most = 0;
-  uint8_t i, shift;
-  fc_scan_direction(scan, d, &step);
-  nd = fc_small_dot(n, d); /* 30 + 29 bits, three terms */
-  ndx = n[0] * step;
-  ndy = -n[1] * step;
+  uint8_t i, j, shift;
+  fc_scan_direction(scan, d[0], &step);
+  d[1][0] = step;
+  d[2][1] = -step;
+  for (j = 0; j < 3; j++) nd[j] = fc_dot(n, d[j]); /* 30 + 29 bits, three terms */
   for (i = 0; i < 3; i++) {
-    /* k D - (n.D) L in units of 2^32: 62 + 30 bits each, so below 2^61; each within 2 */
-    int32_t l = (int32_t)light[i];
     uint64_t reach;
-    at[i] = fc_smul64hi(planar->k, (int32_t)d[i]) - fc_smul64hi(nd, l);
-    dx[i] = -fc_smul64hi(ndx, l);
-    dy[i] = -fc_smul64hi(ndy, l);
-    if (i == 0) dx[i] += fc_smul64hi(planar->k, (int32_t)step);
-    if (i == 1) dy[i] -= fc_smul64hi(planar->k, (int32_t)step);
-    reach = reach_of(at[i], dx[i], dy[i], scan);
+    /* k D - (n.D) L in units of 2^32: 62 + 30 bits each, so below 2^61; each within 2 */
+    for (j = 0; j < 3; j++) form[j][i] = fc_smul64hi(planar->k, (int32_t)d[j][i]) - fc_smul64hi(nd[j], (int32_t)light[i]);
+    reach = reach_of(form[0][i], form[1][i], form[2][i], scan);
     if (reach > most) most = reach;
   }
   i = fc_bits64(most);
@@ -58,25 +54,25 @@ static FC_COLD bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g)
   if (i < (planar->slack != 0 ? 46 : 34)) return false;
   shift = (uint8_t)(i - 29); /* a bit is left for the roundings */
   for (i = 0; i < 3; i++) {
-    planar->w.at[i] = nearest(at[i], shift);
-    planar->w.dx[i] = nearest(dx[i], shift);
-    planar->w.dy[i] = nearest(dy[i], shift);
+    planar->w.at[i] = nearest(form[0][i], shift);
+    planar->w.dx[i] = nearest(form[1][i], shift);
+    planar->w.dy[i] = nearest(form[2][i], shift);
   }
   /* each form is within 1/2 + 2^-5 of its rounding, and a cut normal moves W by less than 3 (2^30 2^29 + 2^29 2^30) */
   planar->w.error = ((uint32_t)scan->columns + scan->rows) / 2 + 3;
   planar->w.error += planar->w.error / 16 + 1;
   if (planar->slack != 0) planar->w.error += (UINT32_C(6) << 28 >> shift) + 1;
   factor = fc_quick_mul(fc_quick_from(fc_abs64(planar->height), (int16_t)(-32 - shift)), normalise(n, planar->unit));
-  g->at = fc_quick_times(factor, nd, 0);
-  g->dx = fc_quick_times(factor, ndx, 0);
-  g->dy = fc_quick_times(factor, ndy, 0);
+  g->at = fc_quick_times(factor, nd[0], 0);
+  g->dx = fc_quick_times(factor, nd[1], 0);
+  g->dy = fc_quick_times(factor, nd[2], 0);
   return true;
 }
 
 FC_COLD int64_t fc_ball_foot(const int64_t n[3], const int32_t unit[3], int64_t above, const int64_t center[3], int64_t radius,
                              int64_t foot[3]) {
   /* |n| below 2^31 and at least 1, so 1 / |n| times |above| is within 2^-25 and 1: 2^-24 r + 2 where it is about r */
-  int64_t square = fc_small_dot(n, n), margin = fc_ball_margin(radius), dip;
+  int64_t square = fc_dot(n, n), margin = fc_ball_margin(radius), dip;
   int64_t rise = fc_quick_times(fc_quick_rsqrt(fc_quick_from((uint64_t)square, 0)), above, 0); /* INT32_MAX: farther */
   uint8_t i;
   for (i = 0; i < 3; i++) foot[i] = center[i] + fc_floor_shift64(unit[i] * rise, 30); /* 31 + 31 bits */
@@ -92,7 +88,7 @@ FC_COLD int64_t fc_ball_foot(const int64_t n[3], const int32_t unit[3], int64_t 
 FC_COLD bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver, const int64_t center[3], int64_t radius,
                                   fc_window *doubt) {
   const int64_t *n = receiver->normal;
-  int64_t above = receiver->k - fc_small_dot(n, center), t[3], to_light[3], margin = fc_ball_margin(radius), dip, reach;
+  int64_t above = receiver->k - fc_dot(n, center), t[3], to_light[3], margin = fc_ball_margin(radius), dip, reach;
   fc_quick lever;
   uint8_t i;
   doubt->x0 = doubt->y0 = 1;
@@ -125,13 +121,15 @@ FC_COLD bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver
   return true;
 }
 
-/* Where the ray through a pixel of the tile meets the plane (its normal is not cut); false when it doesn't, or too far away. */
-static bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
+/* Where the ray through a pixel of the tile meets the plane, or the one of its cut normal; false when it does not, or too far
+ * away. */
+static FC_COLD bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
   static const int64_t eye[3] = {0, 0, 0};
   int64_t d[3], nd;
   fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
-  nd = fc_small_dot(planar->normal, d);
+  nd = fc_dot(planar->normal, d);
+  if (planar->slack != 0 && nd >> 50 == 0) return false;
   return nd > 0 && fc_point_at(fc_num_div(k, fc_num_from_u64((uint64_t)nd, 0)), eye, d, point);
 }
 
@@ -174,7 +172,7 @@ static FC_COLD bool cast_one(void *context, const fc_cursor *at, uint16_t index)
 }
 
 /* First and last pixel of a row's mask; false when it is empty. */
-static bool row_ends(const fc_scan *scan, uint16_t row, uint16_t ends[2]) {
+static FC_COLD bool row_ends(const fc_scan *scan, uint16_t row, uint16_t ends[2]) {
   const uint32_t *mask = scan->mask + row * scan->words;
   uint16_t first = 0, last = (uint16_t)(32 * scan->words - 1);
   while (first < last && mask[first / 32] == 0) first = (uint16_t)(first + 32);
@@ -187,24 +185,45 @@ static bool row_ends(const fc_scan *scan, uint16_t row, uint16_t ends[2]) {
   return true;
 }
 
+/* Tiles of fewer pixels are taken as they are. */
+#define SMALL_TILE 64
+
+/* The rectangle that a tile's mask shows; false when it is empty. */
+static FC_COLD bool find_rectangle(const fc_scan *scan, fc_planar *planar) {
+  uint16_t row, ends[2];
+  bool any = false;
+  if (scan->columns * scan->rows < SMALL_TILE) {
+    planar->left = 0;
+    planar->right = (uint16_t)(scan->columns - 1);
+    planar->top = scan->first_row;
+    planar->bottom = scan->last_row;
+    return true;
+  }
+  for (row = scan->first_row; row <= scan->last_row; row++) {
+    if (!row_ends(scan, row, ends)) continue;
+    if (!any) {
+      planar->top = row;
+      planar->left = ends[0];
+      planar->right = ends[1];
+      any = true;
+    }
+    planar->bottom = row;
+    if (ends[0] < planar->left) planar->left = ends[0];
+    if (ends[1] > planar->right) planar->right = ends[1];
+  }
+  return any;
+}
+
 /* Corners around the points of the plane that a tile's mask shows: those of the mask's rectangle; where they lie beyond the
  * horizon, the ends of its rows. Lines of pixels are lines on the plane, so hulls are hulls. Returns their number, 0 where
  * they are too far away. */
 static FC_COLD uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, int64_t points[6 * FC_SCAN_ROWS]) {
-  uint16_t row, ends[2], left = UINT16_MAX, right = 0, top = 0, bottom = 0;
+  uint16_t row, ends[2];
   uint8_t count = 0, i;
-  for (row = 0; row < scan->rows; row++) {
-    if (!row_ends(scan, row, ends)) continue;
-    if (left == UINT16_MAX) top = row;
-    bottom = row;
-    if (ends[0] < left) left = ends[0];
-    if (ends[1] > right) right = ends[1];
-  }
-  if (left == UINT16_MAX) return 0;
   for (i = 0; i < 4; i++)
-    if (!foot(scan, planar, i & 1 ? top : bottom, i & 2 ? left : right, points + 3 * i)) break;
+    if (!foot(scan, planar, i & 1 ? planar->top : planar->bottom, i & 2 ? planar->left : planar->right, points + 3 * i)) break;
   if (i == 4) return 4;
-  for (row = top; row <= bottom; row++) {
+  for (row = planar->top; row <= planar->bottom; row++) {
     if (!row_ends(scan, row, ends)) continue;
     for (i = 0; i < 2; i++, count++)
       if (!foot(scan, planar, row, ends[i], points + 3 * count)) return 0;
@@ -213,7 +232,7 @@ static FC_COLD uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, i
 }
 
 /* Hands those who may stand between the light and the hull to cast_one. */
-static FC_COLD void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners) {
+static FC_COLD void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners, int64_t radius) {
   fc_space space = fc_space_of_frame(scan->frame);
   caster c;
   fc_reach reach;
@@ -222,34 +241,76 @@ static FC_COLD void cast_from(fc_scan *scan, const fc_planar *planar, const int6
   reach.from = scan->frame->lights;
   reach.to = hull;
   reach.corners = corners;
-  reach.radius = 1; /* corners are rounded */
+  reach.radius = radius;
   reach.limited = false;
   (void)fc_space_search(&space, corners > 0 ? &reach : NULL, cast_one, &c);
 }
 
 static FC_COLD void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
   int64_t points[6 * FC_SCAN_ROWS];
-  cast_from(scan, planar, points, find_hull(scan, planar, points));
+  cast_from(scan, planar, points, find_hull(scan, planar, points), 1); /* corners are rounded */
 }
 
-static void set_corners(const fc_scan *scan, fc_planar *planar) {
-  uint8_t i, j;
-  for (i = 0; i < 4; i++)
-    for (j = 0; j < 3; j++) {
-      int32_t w = planar->w.at[j];
-      if (i & 1) w += planar->w.dx[j] * (scan->columns - 1);
-      if (i & 2) w += planar->w.dy[j] * (scan->rows - 1);
-      planar->corner[i][j] = (int16_t)fc_floor_shift32(w, 16);
+/*
+ * The same for a polygon that may be much larger than what the tile shows of it: the corners of the rectangle. When the normal
+ * is cut, k is off by `slack` <= 2^33 and n.D by 3 * 2^30: with both at least 2^50, points move by less than 2^-16 of themselves. False when
+ * that does not hold.
+ */
+static FC_COLD bool cast_from_part(fc_scan *scan, const fc_planar *planar) {
+  int64_t points[12], radius = 1;
+  uint8_t i, bits = 0;
+  if (planar->slack != 0 && planar->k >> 50 == 0) return false;
+  for (i = 0; i < 4; i++) {
+    uint8_t b;
+    if (!foot(scan, planar, i & 1 ? planar->top : planar->bottom, i & 2 ? planar->left : planar->right, points + 3 * i))
+      return false;
+    b = fc_vector_bits(points + 3 * i);
+    if (b > bits) bits = b;
+  }
+  if (bits > 30) return false;
+  if (planar->slack != 0) radius += INT64_C(1) << (bits > 16 ? bits - 16 : 0);
+  cast_from(scan, planar, points, 4, radius);
+  return true;
+}
+
+/* floor((2^32 - 1) / n), 0 for 0: bit by bit, as small chips divide by a function that nothing else here needs. */
+static FC_COLD uint32_t per_step(uint16_t n) {
+  uint32_t q = 0, rest = 0; /* below 2^17 */
+  uint8_t i;
+  if (n == 0) return 0;
+  for (i = 0; i < 32; i++) {
+    q <<= 1;
+    rest = 2 * rest + 1;
+    if (rest >= n) {
+      rest -= n;
+      q++;
     }
+  }
+  return q;
+}
+
+static FC_COLD void set_corners(fc_planar *planar) {
+  const uint16_t columns = (uint16_t)(planar->right - planar->left), rows = (uint16_t)(planar->bottom - planar->top);
+  uint8_t i, j;
+  for (j = 0; j < 3; j++) {
+    const int32_t w = planar->w.at[j] + planar->w.dx[j] * planar->left + planar->w.dy[j] * planar->top;
+    const int32_t right = planar->w.dx[j] * columns, down = planar->w.dy[j] * rows;
+    for (i = 0; i < 4; i++)
+      planar->corner[i][j] = (int16_t)fc_floor_shift32(w + (i & 1 ? right : 0) + (i & 2 ? down : 0) + 0x8000, 16);
+  }
+  planar->per_column = per_step(columns);
+  planar->per_row = per_step(rows);
 }
 
 /* Candidates for occluders, each asked to darken what it can. */
 static void cast_shadows(fc_scan *scan, fc_planar *planar, const int64_t *hull, uint8_t corners) {
-  set_corners(scan, planar);
-  if (corners == 0 && scan->frame->scene.bvh != NULL)
+  const bool sieve = scan->frame->scene.bvh != NULL;
+  if (!find_rectangle(scan, planar)) return;
+  set_corners(planar);
+  if (corners == 0 && sieve)
     cast_from_tile(scan, planar);
-  else
-    cast_from(scan, planar, hull, corners);
+  else if (!sieve || scan->columns * scan->rows < SMALL_TILE || !cast_from_part(scan, planar))
+    cast_from(scan, planar, hull, corners, 1);
 }
 
 /* What cosines need of a row: W.W / 2^30 and its differences, and the numerator. */
@@ -265,7 +326,7 @@ typedef struct square_form {
   uint64_t dy, dyy, dxy;
 } square_form;
 
-static FC_NOINLINE uint64_t dot32(const int32_t a[3], const int32_t b[3]) {
+static FC_COLD uint64_t dot32(const int32_t a[3], const int32_t b[3]) {
   uint64_t sum = 0;
   uint8_t i;
   for (i = 0; i < 3; i++)
@@ -273,7 +334,7 @@ static FC_NOINLINE uint64_t dot32(const int32_t a[3], const int32_t b[3]) {
   return sum;
 }
 
-static void set_square(const fc_sheaf *w, square_form *s) {
+static FC_COLD void set_square(const fc_sheaf *w, square_form *s) {
   uint64_t xx = dot32(w->dx, w->dx), yy = dot32(w->dy, w->dy);
   s->at = dot32(w->at, w->at);
   s->dx = 2 * dot32(w->at, w->dx) + xx;
@@ -289,7 +350,7 @@ static inline void next_row(square_form *s) {
   s->dx += s->dxy;
 }
 
-static void start_row(const square_form *s, const cosine *g, uint16_t row, uint16_t column, cosine_row *r) {
+static FC_NOINLINE void start_row(const square_form *s, const cosine *g, uint16_t row, uint16_t column, cosine_row *r) {
   /* q below 2^32; over 128 columns the rounded differences add up to an error below 2^14 */
   uint64_t at = s->at, dx = s->dx;
   if (column != 0) {
@@ -334,40 +395,58 @@ static FC_HOT void shade_run(const fc_tint *restrict tint, cosine_row *restrict 
  * (|dW| / |W|)^2 cos a sqrt(cos^2 a + 4 sin^2 a) a column, at most 1.16 (|dW| / |W|)^2. A chord over m columns is off by at most
  * m^2 / 8 of that: 2^-8, a quarter of a level in 63, when |W| >= 6.1 m |dW| at its least; ddq is twice |dW|^2.
  */
+typedef struct chord_ends {
+  uint32_t rb; /* red and blue, 5.11 bits each */
+  uint32_t g;
+} chord_ends;
+
+static inline chord_ends levels_at(const fc_tint *tint, uint32_t c) {
+  chord_ends l;
+  l.rb = ((tint->base[0] + tint->slope[0] * c) << (27 - FC_TINT_BITS) & UINT32_C(0xffff0000)) |
+         (tint->base[2] + tint->slope[2] * c) >> (FC_TINT_BITS - 11);
+  l.g = tint->base[1] + tint->slope[1] * c;
+  return l;
+}
+
+static inline void put_levels(uint32_t rb, uint32_t g, uint8_t *to) {
+  uint32_t packed = ((rb >> 27 << 6 | g >> FC_TINT_BITS) << 5) | rb << 16 >> 27;
+  to[0] = (uint8_t)(packed >> 8);
+  to[1] = (uint8_t)packed;
+}
+
+/* Red and blue are cut to 2^-11 at a chord's ends and so are their steps, downwards: at most 17 2^-11 of a level off in all, and
+ * never above both ends; never below 0, as the rounding half is in them. */
 static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
-                                     uint32_t bits, uint8_t *restrict to, uint8_t s) {
+                                uint32_t bits, uint8_t *restrict to, uint8_t s) {
   /* s steps at once: q by m dq + m (m - 1) / 2 ddq */
   const uint32_t q_bend = (r->ddq << (2 * s - 1)) - (r->ddq << (s - 1)), chunk = (UINT32_C(1) << (1 << s)) - 1;
-  uint32_t level[3], c = cosine_of(r->q, r->g);
-  level[0] = tint->base[0] + tint->slope[0] * c;
-  level[1] = tint->base[1] + tint->slope[1] * c;
-  level[2] = tint->base[2] + tint->slope[2] * c;
+  chord_ends end = levels_at(tint, cosine_of(r->q, r->g));
   while (count != 0) {
-    uint32_t red = level[0], green = level[1], blue = level[2], d_red, d_green, d_blue, some = bits & chunk;
+    uint32_t rb = end.rb, g = end.g, d_rb, d_g, some = bits & chunk;
     uint8_t *at = to;
+    to += 2 << s;
     r->q += (r->dq << s) + q_bend;
     r->dq += r->ddq << s;
     r->g += dg * (INT32_C(1) << s);
-    c = cosine_of(r->q, r->g);
-    level[0] = tint->base[0] + tint->slope[0] * c;
-    level[1] = tint->base[1] + tint->slope[1] * c;
-    level[2] = tint->base[2] + tint->slope[2] * c;
-    /* differences of levels below 2^29 */
-    d_red = (uint32_t)fc_floor_shift32(fc_to_i32(level[0] - red), s);
-    d_green = (uint32_t)fc_floor_shift32(fc_to_i32(level[1] - green), s);
-    d_blue = (uint32_t)fc_floor_shift32(fc_to_i32(level[2] - blue), s);
-    for (; some != 0; some >>= 1) {
-      if (some & 1) {
-        uint32_t packed = (((red >> FC_TINT_BITS) << 6 | green >> FC_TINT_BITS) << 5) | blue >> FC_TINT_BITS;
-        at[0] = (uint8_t)(packed >> 8);
-        at[1] = (uint8_t)packed;
+    end = levels_at(tint, cosine_of(r->q, r->g));
+    /* differences of levels below 2^29 and 2^16 */
+    d_g = (uint32_t)fc_floor_shift32(fc_to_i32(end.g - g), s);
+    d_rb = ((uint32_t)fc_floor_shift32((int32_t)(end.rb >> 16) - (int32_t)(rb >> 16), s) << 16) +
+           (uint32_t)fc_floor_shift32((int32_t)(end.rb & 0xffffu) - (int32_t)(rb & 0xffffu), s);
+    if (some == chunk) {
+      do {
+        put_levels(rb, g, at);
+        at += 2;
+        rb += d_rb;
+        g += d_g;
+      } while (at != to);
+    } else {
+      for (; some != 0; some >>= 1, at += 2) {
+        if (some & 1) put_levels(rb, g, at);
+        rb += d_rb;
+        g += d_g;
       }
-      at += 2;
-      red += d_red;
-      green += d_green;
-      blue += d_blue;
     }
-    to += 2 << s;
     bits >>= 1 << s;
     count = (uint8_t)(count <= 1 << s ? 0 : count - (1 << s));
   }
@@ -387,10 +466,10 @@ static uint32_t least_square(const cosine_row *r, uint8_t n) {
   return drop < r->q ? r->q - (uint32_t)drop : 0;
 }
 
-/* The longest chords that are good enough for q from `least` on: 2^s pixels; 0: none. 6.1^2 m^2 / 2 = 1191, 298, 75. */
+/* The longest chords that are good enough for q from `least` on: 2^s pixels; 0: none. 6.1^2 m^2 / 2 = 4764, 1191, 298, 75. */
 static uint8_t chord_of(uint32_t least, uint32_t ddq) {
   uint32_t q = least >> 8;
-  return q >> 2 >= ddq + (ddq >> 2) ? 3 : q >> 1 >= ddq ? 2 : q >= ddq ? 1 : 0;
+  return q >> 4 >= ddq + (ddq >> 2) ? 4 : q >> 2 >= ddq + (ddq >> 2) ? 3 : q >> 1 >= ddq ? 2 : q >= ddq ? 1 : 0;
 }
 
 static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
@@ -407,18 +486,14 @@ static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
       uint32_t bits = scan->mask[row * scan->words + word];
       uint16_t at = column;
-      uint8_t count = 32, chord;
+      uint8_t count, chord;
       uint32_t least = 0;
       if (bits == 0) continue;
       while (!(bits & 1)) {
         bits >>= 1;
         at++;
-        count--;
       }
-      if (bits >> (count - 1) == 0) { /* what lies behind the last is not needed */
-        count = 0;
-        while (bits >> count != 0) count++;
-      }
+      count = (uint8_t)(32 - fc_clz32(bits)); /* what lies behind the last is not needed */
       /* q is within 2^14, which costs the cosine 2^-11 of itself from 2^24 on; where the forms were just set up it is within
        * 2^10, and 2^20 is enough. A chord's end may lie 15 columns further. */
       if (at == next && word % 4 != 0) least = least_square(&forms, (uint8_t)(count + 14));
@@ -433,7 +508,7 @@ static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g
       }
       fc_scan_lit(scan, row, at, bits);
       chord = scan->tint.plain ? chord_of(least, forms.ddq) : 0;
-      if (chord != 0) chord = (uint8_t)(chord + fast);
+      if (chord != 0 && chord < 4) chord = (uint8_t)(chord + fast);
       if (chord != 0) {
         shade_chords(&scan->tint, &forms, g->dx, count, bits, fc_scan_pixel(scan, row, at), chord);
         next = count % (1 << chord) == 0 ? (uint16_t)(at + count) : UINT16_MAX;
@@ -446,24 +521,29 @@ static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g
 }
 
 /* The plane turned to the eye, and cut to 30 bits. */
-static void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t normal[3], fc_i128 k, const int64_t *point) {
+static FC_COLD void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t normal[3], fc_i128 k, const int64_t *point) {
   uint8_t bits = fc_vector_bits(normal), cut = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
   bool away = fc_i128_sign(k) < 0;
-  planar->exact_k = away ? fc_i128_neg(k) : k;
+  planar->exact_k = k;
+  if (away) fc_i128_negate(&planar->exact_k);
   for (i = 0; i < 3; i++) {
     planar->exact[i] = away ? -normal[i] : normal[i];
     planar->normal[i] = fc_floor_shift64(planar->exact[i], cut);
   }
-  planar->k = cut == 0 ? fc_i128_to_i64(planar->exact_k) : fc_small_dot(planar->normal, point);
+  planar->k = cut == 0 ? fc_i128_to_i64(planar->exact_k) : fc_dot(planar->normal, point);
   /* an axis of the normal is off by up to 1, of p - point by up to 2^31; and |n| times a radius by up to 2^31 */
   planar->slack = cut == 0 ? 0 : INT64_C(4) << 31;
-  planar->height = planar->k - fc_small_dot(planar->normal, scan->frame->lights);
+  planar->height = planar->k - fc_dot(planar->normal, scan->frame->lights);
 }
 
 FC_COLD int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]) {
-  int64_t side = planar->k - fc_small_dot(planar->normal, p);
+  int64_t side = planar->k - fc_dot(planar->normal, p);
+  fc_i128 height, along;
   if (planar->slack == 0 || (int64_t)fc_abs64(side) > planar->slack) return fc_sign64(side);
-  return fc_i128_sign(fc_i128_sub(planar->exact_k, fc_i128_dot(planar->exact, p))); /* 63 + 30 bits */
+  height = planar->exact_k;
+  along = fc_i128_dot(planar->exact, p); /* 63 + 30 bits */
+  fc_i128_minus(&height, &along);
+  return fc_i128_sign(height);
 }
 
 FC_COLD void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {

@@ -24,7 +24,9 @@ struct fc_planar {
   int64_t exact[3];  /* before the cut: below 2^63 */
   fc_i128 exact_k;
   fc_sheaf w;        /* from the light to the points of the tile */
-  int16_t corner[4][3]; /* floor(W / 2^16) at the tile's corners */
+  uint16_t left, right, top, bottom; /* the rectangle that the tile's mask shows */
+  int16_t corner[4][3]; /* round(W / 2^16) at its corners */
+  uint32_t per_column, per_row; /* 2^32 / steps between them, below by less than 2 */
 };
 
 /* Shades the masked pixels of a tile on the plane n.p = k: facing, shadows, cosines. |n| below 2^63. They lie within the hull

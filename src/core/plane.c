@@ -35,9 +35,13 @@ static FC_COLD void normal_of(const fc_plane *p, int64_t n[3]) {
 /* k of the plane relative to the eye, in units of 2^-fine: -d - normal . eye; 30+32+31 bits and 30+61+2: below 2^94. */
 static FC_COLD fc_i128 offset_from_eye(const fc_view *view, const fc_plane *p) {
   int64_t n[3];
-  fc_i128 d = fc_i128_shift_left(fc_i128_from(p->d), (uint8_t)(p->d_exponent + view->fine));
+  fc_i128 d = fc_i128_from(p->d), along;
+  fc_i128_move(&d, (int16_t)(p->d_exponent + view->fine));
   normal_of(p, n);
-  return fc_i128_neg(fc_i128_add(d, fc_i128_dot(n, view->eye)));
+  along = fc_i128_dot(n, view->eye);
+  fc_i128_plus(&d, &along);
+  fc_i128_negate(&d);
+  return d;
 }
 
 static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
@@ -46,11 +50,15 @@ static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   for (i = 0; i < shapes->count; i++) {
     fc_plane p;
     int64_t n[3];
-    fc_num distance;
+    fc_num distance, length;
+    fc_i128 k;
     read_item(shapes, i, &p);
     normal_of(&p, n);
-    distance = fc_num_div(fc_num_from_abs(offset_from_eye(view, &p)), fc_length(n));
-    if (fc_num_compare(distance, most) > 0) most = distance;
+    k = offset_from_eye(view, &p);
+    fc_num_set_abs(&distance, &k);
+    fc_length_to(&length, n);
+    fc_num_over(&distance, &length);
+    if (fc_num_order_of(&distance, &most) > 0) most = distance;
   }
   return most;
 }
@@ -71,12 +79,12 @@ static FC_COLD void place(const fc_view *view, const fc_shapes *shapes, void *to
       rotated[j] = view->row[j][0] * n[0] + view->row[j][1] * n[1] + view->row[j][2] * n[2];
     bits = fc_vector_bits(rotated);
     /* keep 29 bits and a rounding: at most 2^29. A normal of a few units has at least 30 bits after the rotation. */
-    for (j = 0; j < 3; j++)
-      placed[i].normal[j] = (int32_t)fc_i128_to_i64(fc_i128_round_shift(fc_i128_from(rotated[j]), (uint8_t)(bits - 29)));
-    /* normal was scaled by 2^(30 - (bits - 29)), the grid by 2^-shift */
-    scale = (int16_t)(30 - (bits - 29) - view->shift);
+    bits = (uint8_t)(bits - 29);
+    for (j = 0; j < 3; j++) placed[i].normal[j] = (int32_t)fc_floor_shift64(rotated[j] + (INT64_C(1) << (bits - 1)), bits);
+    /* normal was scaled by 2^(30 - bits), the grid by 2^-shift */
+    scale = (int16_t)(30 - bits - view->shift);
     k = offset_from_eye(view, &p);
-    k = scale >= 0 ? fc_i128_shift_left(k, (uint8_t)scale) : fc_i128_round_shift(k, (uint8_t)-scale);
+    fc_i128_move(&k, scale);
     placed[i].k = fc_i128_to_i64(k); /* distance below 2^30 times |normal| below 2^30 */
   }
 }
@@ -124,7 +132,9 @@ static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction
 }
 
 static FC_COLD int8_t side(const fc_form *form, const int64_t point[3]) {
-  return fc_i128_sign(fc_i128_sub(fc_i128_dot(form->u.plane.normal, point), fc_i128_from(form->u.plane.k)));
+  fc_i128 along = fc_i128_dot(form->u.plane.normal, point), k = fc_i128_from(form->u.plane.k);
+  fc_i128_minus(&along, &k);
+  return fc_i128_sign(along);
 }
 
 static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {

@@ -34,16 +34,14 @@ const uint16_t fc_recip_table[128] FC_ROM = {
     35470, 35320, 35172, 35026, 34880, 34735, 34592, 34450, 34309, 34169, 34031, 33893,
     33757, 33622, 33487, 33354, 33222, 33091, 32961, 32832};
 
-FC_COLD fc_quick fc_quick_from(uint64_t v, int16_t e) {
-  fc_quick r = {0, 0};
-  uint8_t bits = fc_bits64(v);
-  if (bits == 0) return r;
-  r.m = bits > 32 ? (uint32_t)(v >> (bits - 32)) : (uint32_t)v << (32 - bits);
-  r.e = (int16_t)(e + bits - 32);
-  return r;
+FC_COLD uint64_t fc_packed_from(uint64_t v, int32_t e) {
+  uint8_t s;
+  if (v == 0) return 0;
+  s = fc_clz64(v);
+  return fc_quick_pack((uint32_t)(v << s >> 32), e + 32 - s);
 }
 
-FC_COLD fc_quick fc_quick_mul(fc_quick a, fc_quick b) {
+FC_COLD uint64_t fc_packed_mul(fc_quick a, fc_quick b) {
   fc_quick r;
   r.m = fc_mulhi32(a.m, b.m);
   r.e = (int16_t)(a.e + b.e + 32);
@@ -52,20 +50,20 @@ FC_COLD fc_quick fc_quick_mul(fc_quick a, fc_quick b) {
     r.m <<= 1;
     r.e--;
   }
-  return r;
+  return fc_quick_pack(r.m, r.e);
 }
 
-FC_COLD fc_quick fc_quick_add(fc_quick a, fc_quick b) {
+FC_COLD uint64_t fc_packed_add(fc_quick a, fc_quick b) {
   if (fc_quick_less(a, b)) {
     fc_quick c = a;
     a = b;
     b = c;
   }
-  if (b.m == 0 || a.e - b.e > 31) return a;
-  return fc_quick_from((uint64_t)a.m + (b.m >> (a.e - b.e)), a.e);
+  if (b.m == 0 || a.e - b.e > 31) return fc_quick_pack(a.m, a.e);
+  return fc_packed_from((uint64_t)a.m + (b.m >> (a.e - b.e)), a.e);
 }
 
-FC_COLD fc_quick fc_quick_recip(fc_quick a) {
+FC_COLD uint64_t fc_packed_recip(fc_quick a) {
   /* x = m / 2^32 in [1/2, 1): r = 2^31 / m16, Q15 of 1 / x, 2^-14; one more Newton step on 31 bits */
   fc_quick q;
   uint32_t r = fc_recip_q31(a.m >> 16) << 15; /* Q30 of 1 / x: up to 2^31 */
@@ -80,10 +78,10 @@ FC_COLD fc_quick fc_quick_recip(fc_quick a) {
     q.m <<= 1;
     q.e--;
   }
-  return q;
+  return fc_quick_pack(q.m, q.e);
 }
 
-FC_COLD fc_quick fc_quick_rsqrt(fc_quick a) {
+FC_COLD uint64_t fc_packed_rsqrt(fc_quick a) {
   /* even exponents: x = m / 2^32 in [1/4, 1) */
   fc_quick q;
   uint32_t m = a.m, y, rest;
@@ -105,7 +103,7 @@ FC_COLD fc_quick fc_quick_rsqrt(fc_quick a) {
     q.m <<= 1;
     q.e--;
   }
-  return q;
+  return fc_quick_pack(q.m, q.e);
 }
 
 FC_COLD int32_t fc_quick_to_int(fc_quick a, int16_t e) {

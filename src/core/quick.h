@@ -123,14 +123,32 @@ FC_INLINE uint32_t fc_sqrt_q32(uint32_t m) {
  */
 typedef struct fc_quick {
   uint32_t m;
-  int16_t e;
+  int32_t e;
 } fc_quick;
 
-fc_quick fc_quick_from(uint64_t v, int16_t e);
-fc_quick fc_quick_mul(fc_quick a, fc_quick b);
-fc_quick fc_quick_add(fc_quick a, fc_quick b); /* relative error below 2^-30 */
-fc_quick fc_quick_rsqrt(fc_quick a);
-fc_quick fc_quick_recip(fc_quick a);
+/* What comes back in registers is shorter to use than what comes back in memory: m + 2^32 e. */
+uint64_t fc_packed_from(uint64_t v, int32_t e);
+uint64_t fc_packed_mul(fc_quick a, fc_quick b);
+uint64_t fc_packed_add(fc_quick a, fc_quick b);
+uint64_t fc_packed_rsqrt(fc_quick a);
+uint64_t fc_packed_recip(fc_quick a);
+
+static inline fc_quick fc_quick_unpack(uint64_t packed) {
+  fc_quick r;
+  r.m = (uint32_t)packed;
+  r.e = fc_to_i32((uint32_t)(packed >> 32));
+  return r;
+}
+
+static inline uint64_t fc_quick_pack(uint32_t m, int32_t e) { return (uint64_t)(uint32_t)e << 32 | m; }
+
+static inline fc_quick fc_quick_from(uint64_t v, int32_t e) { return fc_quick_unpack(fc_packed_from(v, e)); }
+static inline fc_quick fc_quick_mul(fc_quick a, fc_quick b) { return fc_quick_unpack(fc_packed_mul(a, b)); }
+static inline fc_quick fc_quick_rsqrt(fc_quick a) { return fc_quick_unpack(fc_packed_rsqrt(a)); }
+static inline fc_quick fc_quick_recip(fc_quick a) { return fc_quick_unpack(fc_packed_recip(a)); }
+
+/* Relative error below 2^-30. */
+static inline fc_quick fc_quick_add(fc_quick a, fc_quick b) { return fc_quick_unpack(fc_packed_add(a, b)); }
 
 static inline bool fc_quick_less(fc_quick a, fc_quick b) {
   if (a.m == 0 || b.m == 0) return a.m < b.m;

@@ -5,12 +5,23 @@
 #include "fixcast/config.h"
 
 FC_COLD fc_num fc_root_value(const fc_root *root) {
-  fc_num p = fc_num_from_abs(root->p), m = fc_num_from_abs(root->m), s;
-  if (root->q == 0) return fc_num_div(p, m);
-  s = fc_num_add(p, fc_num_sqrt(fc_num_from_abs(root->d)));
-  /* p and q sqrt(d) of one sign add up; of opposite signs they would cancel, and t = c / (|p| + sqrt(d)) */
-  if (fc_i128_sign(root->p) == root->q || fc_i128_sign(root->p) == 0) return fc_num_div(s, m);
-  return fc_num_div(fc_num_from_abs(root->c), s);
+  fc_num t, s;
+  fc_num_set_abs(&t, &root->p);
+  if (root->q != 0) {
+    fc_num_set_abs(&s, &root->d);
+    fc_num_root(&s);
+    fc_num_plus(&t, &s);
+    if (fc_i128_sign(root->p) == -root->q) {
+      /* p and q sqrt(d) of opposite signs would cancel: t = c / (|p| + sqrt(d)) */
+      s = t;
+      fc_num_set_abs(&t, &root->c);
+      fc_num_over(&t, &s);
+      return t;
+    }
+  }
+  fc_num_set_abs(&s, &root->m);
+  fc_num_over(&t, &s);
+  return t;
 }
 
 static FC_COLD fc_quick quick_abs(const fc_i128 *v) {

@@ -17,13 +17,19 @@ static FC_COLD bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int
   return fc_form_meet(fc_kind_of(scan->at), scan->form, fc_eye, d, root) != 0;
 }
 
-FC_COLD bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
+/* Whether the primitive is there, with its depth code: the root is not on the stack afterwards. */
+static FC_COLD bool code_at(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], uint16_t *code) {
   fc_root root;
+  if (!meet(scan, row, column, d, &root) || fc_too_far(scan->frame, &root, d)) return false;
+  *code = fc_depth_code(scan->frame, &root);
+  return true;
+}
+
+FC_COLD bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
   int64_t d[3];
   uint16_t code, *depth = fc_scan_depth(scan, row, column);
   FC_TALLY(FC_DECIDE_PIXEL, true);
-  if (!meet(scan, row, column, d, &root) || fc_too_far(scan->frame, &root, d)) return false;
-  code = fc_depth_code(scan->frame, &root);
+  if (!code_at(scan, row, column, d, &code)) return false;
   if (code < *depth) return false;
   if (code == *depth) {
     /* whatever is drawn there, or will be: the pixel goes to the nearest of all */
@@ -147,21 +153,25 @@ static FC_COLD bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t col
 /* Up to 32 pixels in one octave and within the far limit, as depth codes with 16 fraction bits, half and open / 2 added;
  * returns those shown: 1 is the first. */
 static FC_HOT uint32_t affine_codes(const fc_scan *scan, uint16_t row, uint16_t column, uint8_t count, uint32_t at,
-                                         uint32_t step, uint32_t open) {
-  uint16_t *depth = fc_scan_depth(scan, row, column), *end = depth + count;
-  uint32_t bits = 0, bit = 1;
+                                    uint32_t step, uint32_t open) {
+  uint16_t *const first = fc_scan_depth(scan, row, column), *depth = first;
+  const uint8_t spare = (uint8_t)(32 - count);
+  /* the last pixel's is the highest bit, so that the loop ends when the bit is shifted out */
+  uint32_t bits = 0, bit = UINT32_C(1) << spare;
+  open <<= 16;
   do {
-    uint32_t code = at >> 16, there = *depth;
-    if ((at & 0xffffu) <= open || code == there) {
-      if (fc_scan_exact(scan, row, (uint16_t)(column + count - (end - depth)))) bits |= bit;
-    } else if (code > there) {
+    uint32_t code = at >> 16;
+    if (FC_RARELY(at << 16 <= open || code == *depth)) {
+      if (fc_scan_exact(scan, row, (uint16_t)(column + (depth - first)))) bits |= bit;
+    } else if (code > *depth) {
       *depth = (uint16_t)code;
       bits |= bit;
     }
     at += step;
+    depth++;
     bit <<= 1;
-  } while (++depth != end);
-  return bits;
+  } while (bit != 0);
+  return bits >> spare;
 }
 
 /* Depth codes of pixels in one octave, with 16 fraction bits, half and open / 2 added, and the step between them. */
@@ -272,6 +282,16 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
     if (!kind.hidden) {
       affine_form form;
       set_codes(&form, at, step, count, error, &coder);
+      if (step == 0 && (form.at & 0xffffu) <= form.open) {
+        /* a level row has one depth, so one question will do */
+        int64_t d[3];
+        uint16_t code;
+        FC_TALLY(FC_DECIDE_PIXEL, true);
+        if (code_at(scan, row, column, d, &code)) {
+          form.at = ((uint32_t)code << 16) + 0x8000u;
+          form.open = 0;
+        }
+      }
       affine_plain(scan, row, column, count, &form);
     }
     at += fc_times((uint64_t)step, count);
@@ -281,16 +301,15 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
 
 /* ---- colour ---- */
 
-static void fill(const fc_scan *scan, uint8_t *to, const uint8_t *bytes) {
-  to[0] = bytes[0];
-  to[1] = bytes[1];
-  if (scan->pixel_bytes == 3) to[2] = bytes[2];
-}
-
 void fc_scan_unlit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
   uint8_t *to = fc_scan_pixel(scan, row, column);
-  for (; bits != 0; bits >>= 1, to += scan->pixel_bytes)
-    if (bits & 1) fill(scan, to, scan->tint.unlit);
+  const uint8_t step = scan->pixel_bytes, first = scan->tint.unlit[0], second = scan->tint.unlit[1], third = scan->tint.unlit[2];
+  for (; bits != 0; bits >>= 1, to += step) {
+    if (!(bits & 1)) continue;
+    to[0] = first;
+    to[1] = second;
+    if (step == 3) to[2] = third;
+  }
 }
 
 FC_COLD void fc_tint_put_any(const fc_tint *tint, uint32_t cosine, uint8_t *to) {

@@ -25,8 +25,10 @@ FC_COLD bool fc_point_at(fc_num t, const int64_t origin[3], const int64_t direct
   bool valid = t.e + 63 + bits <= 56;
   if (!valid) t.e = 56 - 63 - bits;
   for (i = 0; i < 3; i++) {
-    fc_num v = fc_num_mul(t, fc_num_from_u64(fc_abs64(direction[i]), 0));
-    int64_t step = (int64_t)fc_num_round(v, 0);
+    fc_num v = t;
+    int64_t step;
+    fc_num_times_u64(&v, fc_abs64(direction[i]));
+    step = (int64_t)fc_num_rounded(&v, 0);
     point[i] = origin[i] + (direction[i] < 0 ? -step : step);
   }
   return valid;
@@ -83,6 +85,10 @@ FC_COLD int8_t fc_side_of_point(const fc_segment *segment, const int64_t n[3], f
   w.sign[1] = (int8_t)-w.sign[1];
   fc_wide_push64(&w, 0);
   return fc_segment_sign(segment, &w, FC_DECIDE_SIDE);
+}
+
+FC_COLD int64_t fc_small_norm1(const int64_t a[3]) {
+  return (int64_t)(fc_abs64(a[0]) + fc_abs64(a[1]) + fc_abs64(a[2]));
 }
 
 FC_COLD int64_t fc_dot(const int64_t a[3], const int64_t b[3]) {

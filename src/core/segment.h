@@ -55,16 +55,12 @@ bool fc_point_at(fc_num t, const int64_t origin[3], const int64_t direction[3], 
 int8_t fc_side_of_point(const fc_segment *segment, const int64_t n[3], fc_i128 k);
 
 /* |a.x| + |a.y| + |a.z|, and the dot product, for components up to 2^31 and 2^30: below 2^63. */
-static inline int64_t fc_small_norm1(const int64_t a[3]) {
-  return (int64_t)(fc_abs64(a[0]) + fc_abs64(a[1]) + fc_abs64(a[2]));
-}
-
-static inline int64_t fc_small_dot(const int64_t a[3], const int64_t b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+int64_t fc_small_norm1(const int64_t a[3]);
 
 /* a . b modulo 2^64. */
 int64_t fc_dot(const int64_t a[3], const int64_t b[3]);
+
+static inline int64_t fc_small_dot(const int64_t a[3], const int64_t b[3]) { return fc_dot(a, b); }
 
 void fc_cross(const int64_t a[3], const int64_t b[3], int64_t r[3]);
 

@@ -91,10 +91,16 @@ FC_COLD int fc_scene_check(const fc_scene *scene_rom) {
   return kind.check(&scene, &bvh);
 }
 
-FC_COLD bool fc_space_search(const fc_space *space, fc_reach *reach, fc_visit *visit, void *context) {
-  bool sieve = reach != NULL && space->scene->bvh != NULL;
+static FC_COLD bool search_bvh(const fc_space *space, fc_reach *reach, fc_visit *visit, void *context) {
   fc_bvh bvh;
   fc_bvh_kind kind;
+  FC_READ(&bvh, space->scene->bvh, sizeof bvh);
+  FC_READ(&kind, bvh.kind, sizeof kind);
+  return kind.search(&bvh, space, reach, visit, context);
+}
+
+FC_COLD bool fc_space_search(const fc_space *space, fc_reach *reach, fc_visit *visit, void *context) {
+  bool sieve = reach != NULL && space->scene->bvh != NULL;
   fc_cursor cursor;
   fc_cursor_start(&cursor, space);
   while (fc_cursor_next(&cursor)) {
@@ -103,10 +109,7 @@ FC_COLD bool fc_space_search(const fc_space *space, fc_reach *reach, fc_visit *v
     for (i = 0; i < cursor.group.shapes.count; i++)
       if (visit(context, &cursor, i)) return true;
   }
-  if (!sieve) return false;
-  FC_READ(&bvh, space->scene->bvh, sizeof bvh);
-  FC_READ(&kind, bvh.kind, sizeof kind);
-  return kind.search(&bvh, space, reach, visit, context);
+  return sieve && search_bvh(space, reach, visit, context);
 }
 
 /* What is being tested for lying on a segment. */

@@ -28,16 +28,14 @@ static FC_COLD size_t memory(const fc_shapes *shapes) { return (size_t)shapes->c
 
 /* |offset| + radius 2^fine, within 2^-23. */
 static FC_COLD fc_quick quick_reach(const int64_t offset[3], uint64_t radius, uint8_t fine) {
-  fc_quick square, sum = {0, 0};
-  uint8_t i, bits = fc_vector_bits(offset), shift = bits > 30 ? (uint8_t)(bits - 30) : 0;
-  uint64_t squares = 0;
+  fc_quick sum = {0, 0};
+  uint8_t i;
   for (i = 0; i < 3; i++) {
-    uint64_t a = fc_abs64(offset[i]) >> shift; /* below 2^30 */
-    squares += fc_mul32((uint32_t)a, (uint32_t)a);
+    fc_quick a = fc_quick_from(fc_abs64(offset[i]), 0);
+    sum = fc_quick_add(sum, fc_quick_mul(a, a));
   }
-  square = fc_quick_from(squares, 0);
-  if (squares != 0) sum = fc_quick_mul(square, fc_quick_rsqrt(square));
-  return fc_quick_add(fc_quick_scale(sum, (int16_t)shift), fc_quick_from(radius, (int16_t)fine));
+  if (sum.m != 0) sum = fc_quick_mul(sum, fc_quick_rsqrt(sum));
+  return fc_quick_add(sum, fc_quick_from(radius, (int16_t)fine));
 }
 
 static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
@@ -60,8 +58,11 @@ static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
         /* 2^-20 more is more than the values' errors */
         quick.m = quick.m > UINT32_MAX - (quick.m >> 20) - 1 ? UINT32_MAX : quick.m + (quick.m >> 20) + 1;
         if (!fc_quick_less(quick, farthest)) {
-          fc_num reach = fc_num_add(fc_length(offset), fc_num_from_u64((uint64_t)s.radius, view->fine));
-          if (fc_num_compare(reach, most) > 0) most = reach;
+          fc_num reach, radius;
+          fc_length_to(&reach, offset);
+          fc_num_set(&radius, (uint64_t)s.radius, view->fine);
+          fc_num_plus(&reach, &radius);
+          if (fc_num_order_of(&reach, &most) > 0) most = reach;
         }
       }
     }
@@ -85,22 +86,27 @@ static FC_COLD void place(const fc_view *view, const fc_shapes *shapes, void *to
 }
 
 static FC_COLD void fetch(const fc_group *group, uint16_t index, fc_form *form) {
-  fc_sphere s;
-  read_item(&group->shapes, index, &s);
-  form->material = s.material;
-  form->object = s.object;
+  const fc_sphere *item = (const fc_sphere *)group->shapes.items + index;
+  int32_t v[4];
+  uint8_t i;
   if (group->memory != NULL) {
     const fc_placed_sphere *placed = (const fc_placed_sphere *)group->memory + index;
-    form->u.sphere.center[0] = placed->center[0];
-    form->u.sphere.center[1] = placed->center[1];
-    form->u.sphere.center[2] = placed->center[2];
-    form->u.sphere.radius = placed->radius;
+    v[0] = placed->center[0];
+    v[1] = placed->center[1];
+    v[2] = placed->center[2];
+    v[3] = placed->radius;
   } else {
-    form->u.sphere.center[0] = s.center.x;
-    form->u.sphere.center[1] = s.center.y;
-    form->u.sphere.center[2] = s.center.z;
-    form->u.sphere.radius = s.radius;
+    fc_sphere s;
+    read_item(&group->shapes, index, &s);
+    v[0] = s.center.x;
+    v[1] = s.center.y;
+    v[2] = s.center.z;
+    v[3] = s.radius;
   }
+  for (i = 0; i < 3; i++) form->u.sphere.center[i] = v[i];
+  form->u.sphere.radius = v[3];
+  FC_READ(&form->material, &item->material, sizeof form->material);
+  FC_READ(&form->object, &item->object, sizeof form->object);
 }
 
 static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {

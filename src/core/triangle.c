@@ -28,7 +28,7 @@ static int check(const fc_scene *scene, const fc_shapes *shapes) {
 }
 
 /* The eye in whole world coordinates, floor; false when it is out of their range. */
-static bool whole_eye(const fc_view *view, int32_t eye[3]) {
+static FC_COLD bool whole_eye(const fc_view *view, int32_t eye[3]) {
   uint8_t i;
   for (i = 0; i < 3; i++) {
     int64_t e = fc_floor_shift64(view->eye[i], view->fine);
@@ -38,7 +38,7 @@ static bool whole_eye(const fc_view *view, int32_t eye[3]) {
   return true;
 }
 
-static fc_num exact_distance(const fc_view *view, const fc_vec3 *v) {
+static FC_COLD fc_num exact_distance(const fc_view *view, const fc_vec3 *v) {
   int64_t offset[3];
   fc_view_offset(view, v, offset);
   return fc_length(offset);
@@ -47,7 +47,7 @@ static fc_num exact_distance(const fc_view *view, const fc_vec3 *v) {
 static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   fc_num most = {0, 0};
   int32_t eye[3] = {0, 0, 0};
-  uint32_t all = 0, sure = 0;
+  uint32_t all = 0, sure = 0, slack;
   uint16_t i;
   uint8_t shift, pass;
   bool quick = whole_eye(view, eye);
@@ -58,8 +58,10 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
       all |= fc_abs32(v.x - eye[0]) | fc_abs32(v.y - eye[1]) | fc_abs32(v.z - eye[2]);
     }
   shift = (uint8_t)(32 - (all == 0 ? 32 : fc_clz32(all)));
+  slack = UINT32_C(6) << (shift < 14 ? shift : 14); /* (a - 1)^2 is a^2 less 2 a at most */
   shift = shift > 14 ? (uint8_t)(shift - 14) : 0;
   for (pass = quick ? 0 : 1; pass < 2; pass++) {
+    if (pass == 1) sure = sure > slack ? sure - slack : 0;
     for (i = 0; i < shapes->vertex_count; i++) {
       fc_vec3 v;
       fc_read_vertex(shapes, i, &v);
@@ -68,9 +70,6 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
         uint32_t x = fc_abs32(v.x - eye[0]) >> shift, y = fc_abs32(v.y - eye[1]) >> shift,
                  z = fc_abs32(v.z - eye[2]) >> shift;
         if (pass == 0) {
-          x -= x > 0;
-          y -= y > 0;
-          z -= z > 0;
           if (x * x + y * y + z * z > sure) sure = x * x + y * y + z * z;
           continue;
         }
@@ -113,6 +112,13 @@ static bool find_transform(const fc_view *view, transform *to) {
   return true;
 }
 
+/* floor(v / 2^down), which fits 32 bits. */
+static inline int32_t cut(int64_t v, uint8_t down) {
+  uint32_t low = (uint32_t)(uint64_t)v;
+  if (down >= 32) return fc_floor_shift32(fc_high_word(v), (uint8_t)(down - 32));
+  return down == 0 ? fc_to_i32(low) : fc_to_i32(low >> down | (uint32_t)fc_high_word(v) << (32 - down));
+}
+
 static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   fc_placed_vertex *placed = (fc_placed_vertex *)(void *)((fc_placed_mesh *)to + 1);
   transform t;
@@ -127,8 +133,8 @@ static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
       for (j = 0; j < 3; j++) {
         const int32_t *row = view->row[j];
         /* below 2^61 2^0.8, and the constant's 2^62 */
-        int64_t sum = fc_smul32(row[0], v.x) + fc_smul32(row[1], v.y) + fc_smul32(row[2], v.z) + t.constant[j];
-        placed[i].p[j] = fc_to_i32((uint32_t)(uint64_t)fc_floor_shift64(sum, t.down));
+        int64_t sum = fc_product(row[0], v.x) + fc_product(row[1], v.y) + fc_product(row[2], v.z) + t.constant[j];
+        placed[i].p[j] = cut(sum, t.down);
       }
     } else {
       int64_t p[3];

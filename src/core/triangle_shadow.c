@@ -103,7 +103,7 @@ static uint8_t sides_of(const fc_planar *receiver, const fc_form *form) {
 }
 
 /* Darkens the masked pixels of a row between two columns. */
-static void darken(fc_scan *scan, uint16_t row, int32_t first, int32_t last) {
+static FC_COLD void darken(fc_scan *scan, uint16_t row, int32_t first, int32_t last) {
   int32_t word;
   for (word = first / 32; word <= last / 32; word++) {
     uint32_t bits = scan->mask[row * scan->words + word];
@@ -113,7 +113,7 @@ static void darken(fc_scan *scan, uint16_t row, int32_t first, int32_t last) {
   }
 }
 
-static void ask(fc_scan *scan, uint16_t row, int32_t column, const fc_kind *kind, const fc_form *form) {
+static FC_COLD void ask(fc_scan *scan, uint16_t row, int32_t column, const fc_kind *kind, const fc_form *form) {
   uint32_t bit = UINT32_C(1) << (column % 32);
   if ((scan->mask[row * scan->words + column / 32] & bit) && fc_scan_blocked(scan, row, (uint16_t)column, kind, form))
     fc_planar_darken(scan, row, (uint16_t)column, bit);
@@ -158,7 +158,7 @@ static void cast(fc_scan *scan, const fc_facet *facet, const int32_t more[3], ui
  * The fourth form: W.M > 0 with M = h s n' - |v| n, n' the triangle's normal, v = n'.A, s its sign, h the light's height: where
  * the line meets the triangle's plane before the receiver. False when it cannot be told.
  */
-static bool set_passed(const fc_planar *receiver, const int32_t a[3][3], int8_t sign, shadow_form *form) {
+static FC_COLD bool set_passed(const fc_planar *receiver, const int32_t a[3][3], int8_t sign, shadow_form *form) {
   int32_t ab[3], ac[3], across[3], m[3];
   int64_t wide[3], volume, height;
   uint64_t h, v, off, blur_h, blur_v;
@@ -189,26 +189,31 @@ static bool set_passed(const fc_planar *receiver, const int32_t a[3][3], int8_t 
   return true;
 }
 
+/* Edges seen from the light over the tile, in 16 bits: N.W / 4 at three corners of it. */
+typedef struct edge_glance {
+  int32_t at, right, down;
+} edge_glance;
+
 /*
  * Whether a triangle seen from the light is clear of the tile's four directions, in 16 bits: on the outer side of one edge (sign
- * known), or on different sides of two.
+ * known), or on different sides of two. Where it is not, `edges` are what was found.
  */
-static bool misses(const fc_planar *receiver, const int32_t a[3][3], int8_t sign) {
+static bool misses(const fc_planar *receiver, const int32_t a[3][3], int8_t sign, edge_glance edges[3]) {
   /*
-   * Vertices and edges cut to 14 bits, off by less than 1 a component: N = A x E, below 2^29, is off by less than 4 2^14 + 2; cut by
-   * 2^14 by less than 6. W, cut to 14 bits, is off by less than 2 (w.error is below 2^14). So N.W, below 3 2^29, is off by less than
-   * 3 (2^15 2 + 2^14 6 + 12) < 2^19.
+   * Vertices and edges cut to 15 bits (-2^15 .. 2^15 - 1), off by less than 1 a component: N = A x E, within 2^31 - 2^15, is off by
+   * less than 2^17 + 2; cut by 2^16 to 15 bits by less than 3.001. W, rounded to 14 bits, is off by less than 3/4 (w.error is
+   * below 2^14). So N.W, below 3 2^29, is off by less than 3 (3.001 2^14 + 3/4 2^15 + 3) = 147515 + 73728.
    */
-  const int32_t error = INT32_C(1) << 19;
+  const int32_t error = 221300;
   uint32_t all = 0;
   uint8_t i, j, shift;
   bool outside = false, inside = false;
   for (i = 0; i < 3; i++)
     for (j = 0; j < 3; j++) all |= fc_abs32(a[i][j]);
-  shift = all >> 14 == 0 ? 0 : (uint8_t)(18 - fc_clz32(all));
+  shift = all >> 15 == 0 ? 0 : (uint8_t)(17 - fc_clz32(all));
   for (i = 0; i < 3; i++) {
     const int32_t *from = a[i], *to = a[next(i)];
-    int32_t v[3], e[3], n[3], low = INT32_MAX, high = INT32_MIN;
+    int32_t v[3], e[3], n[3], value[4], low = INT32_MAX, high = INT32_MIN;
     uint8_t cut;
     all = 0;
     for (j = 0; j < 3; j++) {
@@ -218,26 +223,70 @@ static bool misses(const fc_planar *receiver, const int32_t a[3][3], int8_t sign
     }
     if (all == 0) return false;
     cut = (uint8_t)fc_clz32(all);
-    if (cut < 18) {
-      cut = (uint8_t)(18 - cut);
+    if (cut < 17) {
+      cut = (uint8_t)(17 - cut);
       e[0] = fc_floor_shift32(e[0], cut);
       e[1] = fc_floor_shift32(e[1], cut);
       e[2] = fc_floor_shift32(e[2], cut);
     } else {
-      for (j = 0; j < 3; j++) e[j] *= INT32_C(1) << (cut - 18);
+      for (j = 0; j < 3; j++) e[j] *= INT32_C(1) << (cut - 17);
     }
-    n[0] = fc_floor_shift32(v[1] * e[2] - v[2] * e[1], 14);
-    n[1] = fc_floor_shift32(v[2] * e[0] - v[0] * e[2], 14);
-    n[2] = fc_floor_shift32(v[0] * e[1] - v[1] * e[0], 14);
+    n[0] = fc_floor_shift32(v[1] * e[2] - v[2] * e[1], 16);
+    n[1] = fc_floor_shift32(v[2] * e[0] - v[0] * e[2], 16);
+    n[2] = fc_floor_shift32(v[0] * e[1] - v[1] * e[0], 16);
     for (j = 0; j < 4; j++) {
       const int16_t *w = receiver->corner[j];
-      int32_t value = n[0] * w[0] + n[1] * w[1] + n[2] * w[2];
-      if (value < low) low = value;
-      if (value > high) high = value;
+      value[j] = n[0] * w[0] + n[1] * w[1] + n[2] * w[2];
+      if (value[j] < low) low = value[j];
+      if (value[j] > high) high = value[j];
     }
     if (high < -error) outside = true;
     if (low > error) inside = true;
     if (sign < 0 ? inside : sign > 0 ? outside : inside && outside) return true;
+    edges[i].at = fc_floor_shift32(value[0], 2);
+    edges[i].right = fc_floor_shift32(value[1], 2) - edges[i].at; /* below 2^30 */
+    edges[i].down = fc_floor_shift32(value[2], 2) - edges[i].at;
+  }
+  return false;
+}
+
+/* Whether the mask has a pixel of a row between two columns. */
+static bool shows(const fc_scan *scan, int32_t row, int32_t first, int32_t last) {
+  const uint32_t *mask = scan->mask + row * scan->words;
+  int32_t word;
+  for (word = first / 32; word <= last / 32; word++) {
+    uint32_t bits = mask[word];
+    if (word == first / 32) bits &= UINT32_MAX << (first % 32);
+    if (word == last / 32) bits &= UINT32_MAX >> (31 - last % 32);
+    if (bits != 0) return true;
+  }
+  return false;
+}
+
+/*
+ * Whether some masked pixel may lie inside the edges at a glance. What N is off tells as at the corners, what W is off up to
+ * three times as much between them, for 1 - x - y, x and y are within 1: 147515 + 3 * 73728 < 4 * 92200. Steps are
+ * off by less than 3 each.
+ */
+static bool touches(const fc_scan *scan, const fc_planar *receiver, const edge_glance edges[3], int8_t sign) {
+  const uint16_t columns = (uint16_t)(receiver->right - receiver->left + 1), rows = (uint16_t)(receiver->bottom - receiver->top + 1);
+  const int32_t margin = 92200 + 6 + 3 * (columns + rows);
+  int32_t at[3], dx[3], dy[3], row = 0, bottom = rows - 1;
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    int32_t right = sign < 0 ? -edges[i].right : edges[i].right, down = sign < 0 ? -edges[i].down : edges[i].down;
+    at[i] = (sign < 0 ? -edges[i].at : edges[i].at) + margin;
+    dx[i] = fc_smulhi32(right, receiver->per_column);
+    dy[i] = fc_smulhi32(down, receiver->per_row);
+    fc_facet_cut(at[i] + (right > 0 ? right : 0), dy[i], 0, rows, &row, &bottom);
+    if (row > bottom) return false;
+  }
+  for (i = 0; i < 3; i++) at[i] += dy[i] * row;
+  for (; row <= bottom; row++) {
+    int32_t first = 0, last = columns - 1;
+    for (i = 0; i < 3 && first <= last; i++) fc_facet_cut(at[i], dx[i], 0, columns, &first, &last);
+    if (first <= last && shows(scan, row + receiver->top, first + receiver->left, last + receiver->left)) return true;
+    for (i = 0; i < 3; i++) at[i] += dy[i];
   }
   return false;
 }
@@ -272,7 +321,12 @@ void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind 
     a[1][j] = (int32_t)form->u.triangle.vertex[1][j] - light;
     a[2][j] = (int32_t)form->u.triangle.vertex[2][j] - light;
   }
-  if (receiver->w.error >> 14 == 0 && misses(receiver, (const int32_t(*)[3])a, form->u.triangle.hidden)) return;
+  if (receiver->w.error >> 14 == 0) {
+    const int8_t hidden = form->u.triangle.hidden;
+    edge_glance edges[3];
+    if (misses(receiver, (const int32_t(*)[3])a, hidden, edges)) return;
+    if (hidden != 0 && !touches(scan, receiver, edges, hidden)) return;
+  }
   sides = sides_of(receiver, form);
   if (!(sides & 1)) return;
   for (i = 0; i < 3; i++) {

@@ -7,23 +7,30 @@
 #include "quick.h"
 #include "segment.h"
 
-FC_COLD fc_num fc_length(const int64_t v[3]) {
+FC_COLD void fc_length_to(fc_num *length, const int64_t v[3]) {
   /* components below 2^63: squares below 2^126 as values, no overflow */
-  fc_num sum = {0, 0};
   uint8_t i;
+  fc_num_set(length, 0, 0);
   for (i = 0; i < 3; i++) {
-    fc_num a = fc_num_from_u64(fc_abs64(v[i]), 0);
-    sum = fc_num_add(sum, fc_num_mul(a, a));
+    fc_num square;
+    fc_num_set(&square, fc_abs64(v[i]), 0);
+    fc_num_times(&square, &square);
+    fc_num_plus(length, &square);
   }
-  return fc_num_sqrt(sum);
+  fc_num_root(length);
 }
 
 /* v / |v| in Q60, within 2^-58. */
 static FC_COLD void unit_q60(int64_t v[3]) {
-  fc_num length = fc_length(v);
+  fc_num length;
   uint8_t i;
+  fc_length_to(&length, v);
   for (i = 0; i < 3; i++) {
-    int64_t q = (int64_t)fc_num_round(fc_num_div(fc_num_from_u64(fc_abs64(v[i]), 0), length), 60);
+    fc_num part;
+    int64_t q;
+    fc_num_set(&part, fc_abs64(v[i]), 0);
+    fc_num_over(&part, &length);
+    q = (int64_t)fc_num_rounded(&part, 60);
     v[i] = v[i] < 0 ? -q : q;
   }
 }
@@ -50,8 +57,9 @@ static FC_COLD int set_rows(fc_view *view, const fc_camera *camera) {
   unit_q60(f);
   for (i = 0; i < 3; i++) {
     /* up' = r x f, Q120: two products below 2^121 */
-    uint8_t j = (uint8_t)((i + 1) % 3), k = (uint8_t)((i + 2) % 3);
-    fc_i128 up = fc_i128_sub(fc_i128_mul(r[j], f[k]), fc_i128_mul(r[k], f[j]));
+    uint8_t j = i == 2 ? 0 : (uint8_t)(i + 1), k = i == 0 ? 2 : (uint8_t)(i - 1);
+    fc_i128 up = fc_i128_mul(r[j], f[k]), down = fc_i128_mul(r[k], f[j]);
+    fc_i128_minus(&up, &down);
     view->row[0][i] = (int32_t)fc_floor_shift64(r[i] + (1 << 29), 30);
     view->row[1][i] = (int32_t)fc_i128_to_i64(fc_i128_round_shift(up, 90));
     view->row[2][i] = (int32_t)fc_floor_shift64(f[i] + (1 << 29), 30);
@@ -84,14 +92,14 @@ static FC_COLD int set_focal(fc_view *view, const fc_camera *camera, uint16_t wi
       (uint64_t)camera->tan_half_fov_numerator << 16 < camera->tan_half_fov_denominator)
     return FC_ERR_FIELD_OF_VIEW;
   /* 12 + 32 bits; F = span / tan, in half pixels */
-  focal = fc_num_div(fc_num_from_u64((uint64_t)span * camera->tan_half_fov_denominator, 0),
-                     fc_num_from_u64(camera->tan_half_fov_numerator, 0));
-  largest = fc_num_from_u64(longest, 0);
-  if (fc_num_compare(focal, largest) > 0) largest = focal;
+  fc_num_set(&focal, (uint64_t)span * camera->tan_half_fov_denominator, 0);
+  fc_num_over_u64(&focal, camera->tan_half_fov_numerator);
+  fc_num_set(&largest, longest, 0);
+  if (fc_num_order_of(&focal, &largest) > 0) largest = focal;
   /* the largest component gets 29 bits: largest < 2^(e+63), so at most 2^29 after the shift and rounding */
   shift = 29 - (largest.e + 63);
   view->pixel_shift = (uint8_t)(shift < 0 ? 0 : shift);
-  view->focal = (int32_t)fc_num_round(focal, view->pixel_shift);
+  view->focal = (int32_t)fc_num_rounded(&focal, view->pixel_shift);
   if (view->focal < 1) return FC_ERR_FIELD_OF_VIEW;
   return FC_OK;
 }
@@ -118,12 +126,14 @@ FC_COLD bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponen
   (void)fc_load(v, p);
   for (i = 0; i < 3; i++) {
     int64_t row[3];
-    fc_i128 q;
+    fc_i128 q, eye;
     for (j = 0; j < 3; j++) row[j] = view->row[i][j];
     /* A unit row times 30-bit coordinates: below 2^62 * 2^63 = 2^125; the eye 2^30 * 2^62 * sqrt 3 < 2^93. */
     q = fc_i128_dot(row, p);
-    q = up >= 0 ? fc_i128_shift_left(q, (uint8_t)up) : fc_i128_round_shift(q, (uint8_t)-up);
-    q = fc_i128_round_shift(fc_i128_sub(q, fc_i128_dot(row, view->eye)), (uint8_t)(30 + view->shift));
+    fc_i128_move(&q, up);
+    eye = fc_i128_dot(row, view->eye);
+    fc_i128_minus(&q, &eye);
+    fc_i128_move(&q, (int16_t)(-30 - view->shift));
     if (fc_i128_bits(q) > 61) return false;
     point[i] = fc_i128_to_i64(q);
   }

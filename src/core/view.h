@@ -34,7 +34,13 @@ bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t direct
 bool fc_load(const fc_vec3 *v, int64_t r[3]);
 
 /* |v| as a value. */
-fc_num fc_length(const int64_t v[3]);
+void fc_length_to(fc_num *length, const int64_t v[3]);
+
+static inline fc_num fc_length(const int64_t v[3]) {
+  fc_num length;
+  fc_length_to(&length, v);
+  return length;
+}
 
 /* The frame's size as its owner sees it. */
 static inline uint16_t fc_view_columns(const fc_frame *frame) {
