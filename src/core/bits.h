@@ -11,11 +11,13 @@
 #define FC_NOINLINE __attribute__((noinline))
 #define FC_HOT __attribute__((noinline, hot))
 #define FC_COLD __attribute__((noinline, cold))
+#define FC_RARELY(condition) __builtin_expect((condition), 0)
 #define FC_INLINE static inline __attribute__((always_inline)) /* what inner loops are made of */
 #else
 #define FC_NOINLINE
 #define FC_HOT
 #define FC_COLD
+#define FC_RARELY(condition) (condition)
 #define FC_INLINE static inline
 #endif
 

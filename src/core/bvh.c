@@ -174,7 +174,7 @@ static void set_bound(bound *b, int64_t start, int64_t change) {
 }
 
 /* Rounds a t up to the sweep's Q31: by 2^-21 of itself, which is more than its error, and by 2^-23 for the quotient's. */
-static uint32_t part_of(const sweep *s, fc_quick t) {
+static FC_COLD uint32_t part_of(const sweep *s, fc_quick t) {
   const uint32_t one = UINT32_C(1) << 31;
   uint64_t at;
   uint32_t part;

@@ -96,13 +96,6 @@ static uint64_t times(uint64_t v, int32_t n) { return v * (uint64_t)(int64_t)n; 
 
 static uint32_t size_of(uint64_t v) { return (uint32_t)(fc_abs64(fc_to_i64(v)) >> 32); }
 
-/* Twice the pixels from the frame's centre line to the farther of two columns or rows. */
-static int32_t furthest(int32_t a, int32_t b, uint16_t size) {
-  a = size - 2 * a;
-  b = 2 * b + 2 - size;
-  return a > b ? a : b;
-}
-
 /* Whether a coordinate was cut before it was projected. */
 static uint8_t coarse(const fc_corners *corners, const fc_placed_mesh *mesh) {
   uint8_t i;
@@ -289,7 +282,7 @@ static uint32_t moved(uint32_t g, int32_t off, uint8_t fraction) {
 
 bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_placed_mesh *mesh) {
   const fc_corners *corners = facet->corners;
-  const fc_tile *box = facet->box, *tile = facet->tile;
+  const fc_tile *tile = facet->tile;
   const uint8_t fraction = corners->fraction;
   const int32_t x1 = corners->x[1] - corners->x[0], x2 = corners->x[2] - corners->x[0];
   const int32_t y1 = corners->y[1] - corners->y[0], y2 = corners->y[2] - corners->y[0];
@@ -321,12 +314,12 @@ bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_place
       !short_slope(fc_product(p2, x1) - fc_product(p1, x2), reciprocal, exponent, &facet->py))
     return false;
   facet->p = p[0] + moved(facet->px, left - corners->x[0], fraction) + moved(facet->py, top - corners->y[0], fraction);
-  /* as in fc_facet_depth; slopes are rounded to 1/2, over `side` columns and rows; at the centre at most p + steep * reach */
+  /* as in fc_facet_depth; slopes are rounded to 1/2, over `side` columns and rows; at the frame's centre, within half
+   * its size and 32 pixels each way, at most p + steep * reach */
   steep = fc_abs32(fc_to_i32(facet->px)) + fc_abs32(fc_to_i32(facet->py)) + 2;
   low -= 2 < low ? 2 : low;
   facet->error = 2 + 16 + 1 + (steep >> (fraction - 1)) + facet->side + 4 +
-                 fc_mulhi32(steep, (facet->side + 1 + (uint32_t)(furthest(box->x0, box->x1, frame->width) +
-                                                                 furthest(box->y0, box->y1, frame->height)) / 2) << 5) + 1;
+                 fc_mulhi32(steep, (facet->side + 65 + (uint32_t)(frame->width + frame->height) / 2) << 5) + 1;
   facet->least = low > facet->error ? low - facet->error : 0;
   facet->most = high + facet->error + 2;
   return true;

@@ -6,21 +6,20 @@
 #include "scan_kinds.h"
 #include "view.h"
 
-/* Screen coordinates kept in 16 bits while the bins are filled, x in steps of 2: beyond the guard band, which bit 0 tells; not in
- * front of the eye. */
+/* Screen coordinates kept in 16 bits while the bins are filled, in steps of 2: beyond the guard band, which bit 0 tells; not in front of
+ * the eye. USED: a corner of some triangle in a bin. */
 #define SIDE INT32_C(32766)
-#define BEHIND UINT32_C(0x80008001)
+#define USED UINT32_C(0x10000)
+#define BEHIND UINT32_C(0x80018001)
 
 uint32_t fc_recip_q63(uint32_t m) {
   /* r = 2^31 / m16 for m16 = m / 2^16 rounded: within (1 + 2^-1) 2^-15 of 2^47 / m, 17 bits. The rest 2^47 - m r is below
-   * 2^47 2^-14.4 < 2^33, a quarter of it below 2^31; a Newton step squares the error: 2^-28.8. */
+   * 2^47 2^-14.4 < 2^33, a quarter of it below 2^31 and so known by its low word; a Newton step squares the error: 2^-28.8. */
   uint32_t m16 = (m >> 16) + (m >> 15 & 1), r, rest_high;
-  uint64_t rest;
   int32_t quarter;
   if (m16 > 0xffff) m16 = 0xffff;
   r = fc_recip_q31(m16);
-  rest = (UINT64_C(1) << 47) - fc_mul32(m, r);
-  quarter = fc_to_i32((uint32_t)(rest >> 2));
+  quarter = fc_to_i32(0u - (m >> 2) * r - (((m & 3) * r + 3) >> 2));
   /* r 2^16 + r rest / 2^31 = r 2^16 + quarter (r 2^14) / 2^32 * 2^17 / 2^14 ... in units of 2^12 after the product */
   rest_high = (uint32_t)fc_floor_shift32(fc_smulhi32(quarter, r << 15), 12);
   if (r >> 16) { /* 2^16: 2^32 less what the rest takes off */
@@ -112,17 +111,14 @@ static void see_shortly(const fc_placed_mesh *mesh, fc_placed_vertex *v) {
   exponent = fc_seen_exponent(seen);
   x = short_coordinate(mesh, v->p[0], mantissa, exponent);
   y = short_coordinate(mesh, -v->p[1], mantissa, exponent);
-  v->seen = (uint32_t)y << 16 | ((uint32_t)x & 0xfffeu) | (x == SIDE || x == -SIDE || y == SIDE || y == -SIDE);
+  v->seen = ((uint32_t)y & 0xfffeu) << 16 | ((uint32_t)x & 0xfffeu) | (x == SIDE || x == -SIDE || y == SIDE || y == -SIDE);
 }
 
 static int32_t short_x(uint32_t seen) { return 2 * fc_floor_shift32(fc_to_i32(seen << 16), 17); }
-static int32_t short_y(uint32_t seen) { return fc_floor_shift32(fc_to_i32(seen), 16); }
+static int32_t short_y(uint32_t seen) { return 2 * fc_floor_shift32(fc_to_i32(seen), 17); }
 
 static void see_fully(const fc_placed_mesh *mesh, fc_placed_vertex *v) {
-  if (v->seen & 1)
-    v->seen = 0;
-  else
-    v->seen = see(mesh, (uint32_t)v->p[2]);
+  v->seen = (v->seen & (USED | 1)) == USED ? see(mesh, (uint32_t)v->p[2]) : 0;
 }
 
 /* What turns short coordinates into the pixels whose centres may lie between them. */
@@ -247,6 +243,9 @@ void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *m
       shift++;
       level++;
     }
+    vertices[t.vertex[0]].seen = a | USED;
+    vertices[t.vertex[1]].seen = b | USED;
+    vertices[t.vertex[2]].seen = c | USED;
     head = &mesh->head[fc_mesh_level(level) + (top >> shift)];
     next[i] = *head;
     *head = i;

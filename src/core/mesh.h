@@ -12,7 +12,7 @@
 #include "quick.h"
 
 /* seen: F / z for the half focal length F in pixels, as (2^31 + mantissa bits 31..5 / 2) 2^(bits 4..0 - focal_down - 31), relative error
- * below 2^-27; 0 when the vertex is not in front of the eye, or too far to the side. */
+ * below 2^-27; 0 when the vertex is not in front of the eye, or too far to the side, or of no triangle in a bin. */
 typedef struct fc_placed_vertex {
   int32_t p[3];
   uint32_t seen;
@@ -53,6 +53,17 @@ static inline void fc_read_triangle(const fc_shapes *shapes, uint16_t index, fc_
   t->vertex[2] = from->vertex[2];
   t->material = from->material;
   t->object = from->object;
+#endif
+}
+
+/* The triangle where it lies, or a copy where that cannot be read in place. */
+static inline const fc_triangle *fc_triangle_at(const fc_shapes *shapes, uint16_t index, fc_triangle *copy) {
+#ifdef FC_ROM_FAR
+  fc_read_triangle(shapes, index, copy);
+  return copy;
+#else
+  (void)copy;
+  return (const fc_triangle *)shapes->items + index;
 #endif
 }
 

@@ -121,7 +121,8 @@ FC_COLD bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver
   return true;
 }
 
-/* Where the ray through a pixel of the tile meets the plane, or the one of its cut normal; false when it does not, or too far away. */
+/* Where the ray through a pixel of the tile meets the plane, or the one of its cut normal; false when it does not, or too far
+ * away. */
 static FC_COLD bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
   static const int64_t eye[3] = {0, 0, 0};
   int64_t d[3], nd;
@@ -251,8 +252,8 @@ static FC_COLD void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
 }
 
 /*
- * The same for a polygon that is much larger than what the tile shows of it: the corners of the rectangle. When the normal is cut, k is
- * off by `slack` <= 2^33 and n.D by 3 * 2^30: with both at least 2^50, points move by less than 2^-16 of themselves. False when
+ * The same for a polygon that may be much larger than what the tile shows of it: the corners of the rectangle. When the normal
+ * is cut, k is off by `slack` <= 2^33 and n.D by 3 * 2^30: with both at least 2^50, points move by less than 2^-16 of themselves. False when
  * that does not hold.
  */
 static FC_COLD bool cast_from_part(fc_scan *scan, const fc_planar *planar) {
@@ -261,7 +262,8 @@ static FC_COLD bool cast_from_part(fc_scan *scan, const fc_planar *planar) {
   if (planar->slack != 0 && planar->k >> 50 == 0) return false;
   for (i = 0; i < 4; i++) {
     uint8_t b;
-    if (!foot(scan, planar, i & 1 ? planar->top : planar->bottom, i & 2 ? planar->left : planar->right, points + 3 * i)) return false;
+    if (!foot(scan, planar, i & 1 ? planar->top : planar->bottom, i & 2 ? planar->left : planar->right, points + 3 * i))
+      return false;
     b = fc_vector_bits(points + 3 * i);
     if (b > bits) bits = b;
   }

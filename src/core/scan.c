@@ -161,11 +161,11 @@ static FC_HOT uint32_t affine_codes(const fc_scan *scan, uint16_t row, uint16_t 
   open <<= 16;
   do {
     uint32_t code = at >> 16;
-    if (at << 16 > open && code > *depth) {
+    if (FC_RARELY(at << 16 <= open || code == *depth)) {
+      if (fc_scan_exact(scan, row, (uint16_t)(column + (depth - first)))) bits |= bit;
+    } else if (code > *depth) {
       *depth = (uint16_t)code;
       bits |= bit;
-    } else if (at << 16 <= open || code == *depth) {
-      if (fc_scan_exact(scan, row, (uint16_t)(column + (depth - first)))) bits |= bit;
     }
     at += step;
     depth++;
@@ -282,6 +282,16 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
     if (!kind.hidden) {
       affine_form form;
       set_codes(&form, at, step, count, error, &coder);
+      if (step == 0 && (form.at & 0xffffu) <= form.open) {
+        /* a level row has one depth, so one question will do */
+        int64_t d[3];
+        uint16_t code;
+        FC_TALLY(FC_DECIDE_PIXEL, true);
+        if (code_at(scan, row, column, d, &code)) {
+          form.at = ((uint32_t)code << 16) + 0x8000u;
+          form.open = 0;
+        }
+      }
       affine_plain(scan, row, column, count, &form);
     }
     at += fc_times((uint64_t)step, count);
@@ -291,16 +301,15 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
 
 /* ---- colour ---- */
 
-static void fill(const fc_scan *scan, uint8_t *to, const uint8_t *bytes) {
-  to[0] = bytes[0];
-  to[1] = bytes[1];
-  if (scan->pixel_bytes == 3) to[2] = bytes[2];
-}
-
 void fc_scan_unlit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
   uint8_t *to = fc_scan_pixel(scan, row, column);
-  for (; bits != 0; bits >>= 1, to += scan->pixel_bytes)
-    if (bits & 1) fill(scan, to, scan->tint.unlit);
+  const uint8_t step = scan->pixel_bytes, first = scan->tint.unlit[0], second = scan->tint.unlit[1], third = scan->tint.unlit[2];
+  for (; bits != 0; bits >>= 1, to += step) {
+    if (!(bits & 1)) continue;
+    to[0] = first;
+    to[1] = second;
+    if (step == 3) to[2] = third;
+  }
 }
 
 FC_COLD void fc_tint_put_any(const fc_tint *tint, uint32_t cosine, uint8_t *to) {

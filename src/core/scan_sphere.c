@@ -81,7 +81,7 @@ typedef struct ball_light {
   } occluder[8];
 } ball_light;
 
-enum { LIGHT_AWAY, LIGHT_FORMS, LIGHT_SLOW };
+enum { LIGHT_UNKNOWN, LIGHT_FORMS, LIGHT_SLOW };
 #define MANY 255
 
 typedef struct occluder_list {
@@ -375,21 +375,19 @@ static FC_NOINLINE uint32_t *face_octave(const facing *of, int32_t along, uint32
 /* Turns p of the pixels in `bits` into s - h in Q24 (of others, too); returns those that are within the margin, or out of
  * reach, and in *averted those that do not face the light. */
 static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *first, uint32_t *averted) {
-  uint32_t open = 0, dark = 0, close = 0, left, *p = first, *end = first;
+  uint32_t open = 0, dark = 0, close = 0, left = bits, *p = first;
+  const uint32_t *end = first + (32 - fc_clz32(bits));
   facing of;
   of.dx = light->dx;
   of.away = light->away;
   of.margin = (uint32_t)light->margin;
-  for (left = bits; left != 0; left >>= 1) end++;
-  while (p != end) {
-    uint32_t bit = UINT32_C(1) << (p - first), v = *p;
+  for (;;) {
+    uint32_t bit;
     uint8_t octave;
     int16_t down;
-    if (!(bits & bit)) {
-      p++;
-      continue;
-    }
-    octave = (uint8_t)(31 - fc_clz32(v)); /* what is shown has a p */
+    for (; !(left & 1); left >>= 1) p++;
+    bit = UINT32_C(1) << (p - first);
+    octave = (uint8_t)(31 - fc_clz32(*p)); /* what is shown has a p */
     down = (int16_t)(octave + light->shift);
     if ((uint8_t)(octave - light->octave) > light->octaves) {
       open |= bit;
@@ -403,6 +401,8 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
       of.down = (uint8_t)down;
       p = face_octave(&of, along + of.dx * (int32_t)(p - first), p, end, bit, &close, &dark);
     }
+    if (p == end) break;
+    left = bits >> (p - first);
   }
   for (p = first, left = close & bits; left != 0; left >>= 1, p++) {
     int32_t e, fine = light->fine_margin;
@@ -417,25 +417,7 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
   return open;
 }
 
-/* Colours the pixels of a row in `bits` from s - h > 0 of each. */
-static FC_NOINLINE void shade_plain(const ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to) {
-  const uint32_t sum = (uint32_t)light->sum, h = (uint32_t)light->h >> 9, whole = (UINT32_C(1) << 24) - (uint32_t)light->h;
-  const uint32_t start = (uint32_t)light->h >> 8;
-  const uint32_t red = tint->base[0], green = tint->base[1], blue = tint->base[2];
-  const uint32_t red_slope = tint->slope[0], green_slope = tint->slope[1], blue_slope = tint->slope[2];
-  for (; bits != 0; bits >>= 1, to += 2, p++) {
-    uint32_t e = *p, packed;
-    if (!(bits & 1)) continue;
-    e = cosine_of(e > whole ? whole : e, sum, h, start);
-    packed = (red + red_slope * e) >> FC_TINT_BITS << 6;
-    packed = (packed | (green + green_slope * e) >> FC_TINT_BITS) << 5;
-    packed |= (blue + blue_slope * e) >> FC_TINT_BITS;
-    to[0] = (uint8_t)(packed >> 8);
-    to[1] = (uint8_t)packed;
-  }
-}
-
-/* The same where the light's curve holds. */
+/* Colours the pixels of a row in `bits` from s - h > 0 of each, where the light's curve holds. */
 static FC_NOINLINE void shade_curve(const ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to) {
   const uint32_t c0 = light->curve[0], c1 = light->curve[1], c2 = light->curve[2];
   const uint32_t red = tint->base[0], green = tint->base[1], blue = tint->base[2];
@@ -454,14 +436,14 @@ static FC_NOINLINE void shade_curve(const ball_light *light, const fc_tint *tint
   }
 }
 
-/* The same in any format. */
-static FC_COLD void shade_any(const ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to,
-                              uint8_t pixel_bytes) {
+/* The same for any light and format. */
+static FC_NOINLINE void shade_any(const ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to,
+                                  uint8_t pixel_bytes) {
   const uint32_t whole = (UINT32_C(1) << 24) - (uint32_t)light->h;
   for (; bits != 0; bits >>= 1, to += pixel_bytes, p++)
     if (bits & 1)
-      fc_tint_put_any(tint, cosine_of(*p > whole ? whole : *p, (uint32_t)light->sum, (uint32_t)light->h >> 9,
-                                      (uint32_t)light->h >> 8), to);
+      fc_tint_put(tint, cosine_of(*p > whole ? whole : *p, (uint32_t)light->sum, (uint32_t)light->h >> 9, (uint32_t)light->h >> 8),
+                  to);
 }
 
 /* Lights the pixels of a row in `bits`, given p of each and in `e` a copy that is used up. */
@@ -485,8 +467,6 @@ static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row
   fc_scan_lit(scan, row, column, bits);
   if (scan->tint.plain && light->curve[0] != 0)
     shade_curve(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column));
-  else if (scan->tint.plain)
-    shade_plain(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column));
   else
     shade_any(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column), scan->pixel_bytes);
 }
@@ -507,6 +487,10 @@ typedef struct sphere_forms {
   fc_cone cone;
   int64_t b, b_dx;      /* C.W in units of sqrt(f) with 32 more bits; in a word it may drift by half a unit a pixel */
   uint32_t b_step;
+  uint64_t bend;        /* 120 dxx */
+  uint32_t ddm;         /* for root_run */
+  uint32_t half;
+  uint8_t fine;
   int32_t outside;      /* high word of f below this: outside */
   int32_t inside;       /* above this: inside, and sqrt(f) is good */
   uint32_t error;       /* of p */
@@ -529,11 +513,16 @@ static FC_COLD uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, 
   return open;
 }
 
-/* Where the forms stand in a row. */
+/* Pixels that the forms leave to the ray engine. */
+static FC_COLD void draw_open(const fc_scan *scan, uint16_t row, uint16_t first, uint16_t end) {
+  for (; first < end; first++)
+    if (fc_scan_exact(scan, row, first) && fc_scan_wants_light(scan, row, first, 1)) fc_scan_shade_slowly(scan, row, first, 1);
+}
+
+/* A row's pixels: surely inside from `from` to `to`, left to the ray engine from `first` to `end` around them. */
 typedef struct sphere_row {
-  uint64_t f, dx;
-  uint64_t b_start; /* at the first pixel of a word */
-  uint32_t b;       /* with the word's steps rounded */
+  uint64_t f, dx, b; /* at `from`, and then where root_run stands; wrap past the tile */
+  uint16_t first, from, to, end;
 } sphere_row;
 
 /*
@@ -556,7 +545,7 @@ static FC_COLD uint32_t settle(const fc_scan *scan, const sphere_forms *ball, co
       /* sqrt(f) is off by e / (2 sqrt(f)) at most; floors of the root and of b, and the factors' cuts, 4 (set_ball) */
       uint32_t root = fc_sqrt64(f << ball->lift), p, error;
       uint64_t loss = ((uint64_t)ball->cone.error << (ball->lift - ball->half_lift)) >> (31 - fc_clz32(root)); /* 34 + 30 bits */
-      p = (uint32_t)((at->b_start + fc_times((uint64_t)ball->b_dx, n)) >> 32) + (root >> ball->half_lift);
+      p = (uint32_t)((at->b + fc_times((uint64_t)ball->b_dx, n)) >> 32) + (root >> ball->half_lift);
       if (loss < UINT32_C(1) << 24 && p != 0) {
         error = (uint32_t)loss + 8;
         fc_coder_follow(coder, scan->frame, p);
@@ -577,61 +566,88 @@ static FC_COLD uint32_t settle(const fc_scan *scan, const sphere_forms *ball, co
   return shown;
 }
 
-/* p of the pixels from here on until one is not surely inside, or `end`; returns where that is. */
-static FC_NOINLINE uint32_t *inside_run(const sphere_forms *ball, sphere_row *at, uint32_t *to, const uint32_t *end) {
-  uint64_t f = at->f, dx = at->dx;
-  const uint64_t dxx = (uint64_t)ball->cone.dxx;
-  uint32_t b = at->b;
-  const uint32_t b_dx = ball->b_step;
-  /* f's high word in low .. low + span - 1: f 2^up is in 2^62 .. 2^64 - 1 */
-  uint32_t low = UINT32_C(1) << (30 - ball->lift), span = 0, up = ball->lift, down = ball->half_lift; /* for the greatest f */
-  while (to != end) {
-    uint32_t high = (uint32_t)(f >> 32);
-    if (high - low >= span) {
-      if (fc_to_i32(high) <= ball->inside) break; /* at least 0 */
-      low = UINT32_C(1) << (30 - up);
-      while (high < low && up < 30) {
-        low >>= 2;
-        up += 2;
-        down++;
-      }
-      while (high >> 2 >= low && up > ball->lift) {
-        low <<= 2;
-        up -= 2;
-        down--;
-      }
-      span = 3 * low;
-      if (fc_to_i32(low) <= ball->inside) {
-        span -= (uint32_t)ball->inside + 1 - low;
-        low = (uint32_t)ball->inside + 1;
-      }
-    }
-    *to++ = b + (fc_sqrt_q32((high << up) | ((uint32_t)f >> (32 - up))) >> down);
-    f += dx;
-    dx += dxx;
-    b += b_dx;
-  }
-  at->f = f;
-  at->dx = dx;
-  at->b = b;
-  return to;
-}
-
-/* Leaves out a pixel, and those behind it until one is not surely outside. */
-static FC_NOINLINE uint32_t *outside_run(const sphere_forms *ball, sphere_row *at, uint32_t *to, const uint32_t *end) {
-  uint64_t f = at->f, dx = at->dx;
+/* Passes over pixels until one is surely inside, f and dx going along; returns those passed, and in *first those before one
+ * that may show the sphere. */
+static FC_NOINLINE uint16_t outside_run(const sphere_forms *ball, uint64_t *f_at, uint64_t *dx_at, uint16_t count,
+                                        uint16_t *first) {
+  uint64_t f = *f_at, dx = *dx_at;
   const uint64_t dxx = (uint64_t)ball->cone.dxx;
   const int32_t outside = ball->outside;
-  uint32_t *from = to;
-  do {
-    *to++ = 0;
+  uint16_t left = count, open = 0;
+  for (; left != 0; left--) {
+    int32_t high = fc_to_i32((uint32_t)(f >> 32));
+    if (high >= outside) {
+      if (high > ball->inside) break;
+      if (open == 0) open = left;
+    }
     f += dx;
     dx += dxx;
-  } while (to != end && fc_to_i32((uint32_t)(f >> 32)) < outside);
-  at->b += ball->b_step * (uint32_t)(to - from);
+  }
+  *f_at = f;
+  *dx_at = dx;
+  *first = (uint16_t)(count - (open != 0 ? open : left));
+  return (uint16_t)(count - left);
+}
+
+/* f is concave along a row: r^2 < C.C - C_x^2, as the sphere lies in front of the eye, and floors leave dxx <= 0. So the pixels
+ * inside are neighbours, with those left open around them. */
+static FC_NOINLINE void set_row(const fc_scan *scan, const sphere_forms *ball, sphere_row *at) {
+  uint64_t f = (uint64_t)ball->cone.f, dx = (uint64_t)ball->cone.dx;
+  const uint64_t dxx = (uint64_t)ball->cone.dxx;
+  const uint32_t columns = scan->columns, steps = columns - 1;
+  uint16_t first;
   at->f = f;
   at->dx = dx;
-  return to;
+  at->from = outside_run(ball, &at->f, &at->dx, scan->columns, &at->first);
+  at->b = (uint64_t)ball->b + (uint64_t)ball->b_dx * at->from;
+  at->to = at->from;
+  at->end = at->first;
+  if (at->first == columns) return;
+  /* back from the last column: f there, and the difference to the one before; steps below 2^12 */
+  f += dx * steps + dxx * (steps * (columns - 2) / 2);
+  dx = dxx - (dx + dxx * steps);
+  at->to = (uint16_t)(columns - outside_run(ball, &f, &dx, scan->columns, &first));
+  at->end = (uint16_t)(columns - first);
+  if (at->from == columns) at->from = at->to = at->end; /* none is inside */
+}
+
+/* Pixels between two steps of the forms in 64 bits. */
+#define ROOTS 16
+
+/*
+ * p of the next pixels, which are inside. Between steps f is followed in 31 bits, its difference with `fine` bits more: f is off
+ * by its own cut, 15 halves from those of the difference, and 2^-fine times 15 + 105 / 2 from the rounding of both differences.
+ */
+static FC_NOINLINE void root_run(const sphere_forms *ball, sphere_row *at, uint32_t *to, uint8_t count) {
+  const uint8_t down = (uint8_t)(33 - ball->lift), fine = ball->fine;
+  const uint32_t ddm = ball->ddm, b_dx = ball->b_step;
+  while (count != 0) {
+    uint32_t m = (uint32_t)(at->f >> down), b = (uint32_t)((at->b + (UINT32_C(1) << 31)) >> 32), *end = to + ROOTS;
+    int32_t dm = fc_to_i32((uint32_t)(uint64_t)fc_floor_shift64(fc_to_i64(at->dx), (uint8_t)(down - fine)) + ball->half);
+    if (count < ROOTS) end = to + count;
+    count = (uint8_t)(count - (end - to));
+    do {
+      uint32_t x = m << 1, y, s;
+      uint8_t k = ball->half_lift;
+      while (x < UINT32_C(1) << 30) {
+        x <<= 2;
+        k++;
+      }
+      /* fc_sqrt_q32 */
+      y = fc_rsqrt_q15(x);
+      s = ((x >> 16) * y) >> 15;
+      if (s >> 16) s = 0xffffu;
+      x = (uint32_t)fc_floor_shift32(fc_floor_shift32(fc_to_i32(x - s * s), 4) * (int32_t)y, 12) + (s << 16);
+      *to++ = (x >> k) + b;
+      m += (uint32_t)fc_floor_shift32(dm, fine);
+      dm = fc_to_i32((uint32_t)dm + ddm);
+      b += b_dx;
+    } while (to != end);
+    /* 16 on: f + 16 dx + 120 dxx */
+    at->f += (at->dx << 4) + ball->bend;
+    at->dx += (uint64_t)ball->cone.dxx << 4;
+    at->b += (uint64_t)ball->b_dx << 4;
+  }
 }
 
 /* Depth codes of an octave, for test_octave. */
@@ -705,38 +721,6 @@ static FC_NOINLINE uint32_t test_run(const fc_scan *scan, uint16_t row, uint16_t
   return shown;
 }
 
-/* Up to 32 pixels of a row from `column`; returns those that show the sphere, with p of each, and in *rough those that show it
- * and have no p. */
-static FC_NOINLINE uint32_t draw_word(const fc_scan *scan, const sphere_forms *ball, sphere_row *at, fc_coder *coder, uint16_t row,
-                                      uint16_t column, uint8_t count, uint32_t *ps, uint32_t *rough) {
-  uint32_t *p = ps, *end = ps + count, *first = NULL, *last = ps, open = 0, shown = 0;
-  const sphere_row start = *at;
-  *rough = 0;
-  while (p != end) {
-    int32_t high = fc_to_i32((uint32_t)(at->f >> 32));
-    if (high > ball->inside) {
-      uint32_t *from = p;
-      p = inside_run(ball, at, p, end);
-      if (first == NULL) first = from;
-      last = p;
-      if (ball->clip) open |= clip_run(scan, ball, row, column, ps, from, p);
-      continue;
-    }
-    if (high >= ball->outside) open |= UINT32_C(1) << (p - ps);
-    p = outside_run(ball, at, p, end);
-  }
-  if (first != NULL) {
-    uint32_t undecided;
-    shown = test_run(scan, row, (uint16_t)(column + (first - ps)), first, last, ball->error, coder, &undecided) << (first - ps);
-    open |= undecided << (first - ps);
-  }
-  if (open != 0) {
-    shown |= settle(scan, ball, &start, coder, row, column, open, ps, rough);
-    shown &= ~*rough;
-  }
-  return shown;
-}
-
 /* 2 floor(a b / 2^32) */
 static FC_COLD int64_t scaled(int64_t a, int32_t b) { return 2 * fc_smul64hi(a, b); }
 
@@ -780,17 +764,27 @@ static FC_COLD void set_ball(const fc_scan *scan, const fc_placed_sphere *placed
   ball->b = fc_small_dot(c, d) * unit;
   ball->b_dx = c[0] * step * unit;
   *b_dy = -c[1] * step * unit;
-  /* The greatest f, r^2 |W|^2 2^(scale - 64), is lifted to 64 bits. */
+  /* One column or row has no step. */
+  if (scan->columns == 1) ball->b_dx = 0;
+  if (scan->rows == 1) *b_dy = 0;
+  fold(ball, placed->factor, b_dy, (int64_t)scan->columns + scan->rows + 1);
+  /* The greatest f, r^2 |W|^2 2^(scale - 64) factor^2 2^-64, is lifted to 64 bits. */
   {
-    int32_t bits = 2 * fc_bits64((uint64_t)scan->form->u.sphere.radius) + 62 + ball->cone.scale - 64;
+    fc_quick most, factor = fc_quick_from(placed->factor, -32);
+    int64_t x = d[0] + step * scan->columns, y = d[1] - step * scan->rows;
+    int32_t bits;
+    if (fc_abs64(x) < fc_abs64(d[0])) x = d[0];
+    if (fc_abs64(y) < fc_abs64(d[1])) y = d[1];
+    most = fc_quick_from((uint64_t)(x * x + y * y + d[2] * d[2]), (int16_t)(ball->cone.scale - 62)); /* below 2^63 */
+    factor = fc_quick_mul(factor, fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0));
+    most = fc_quick_mul(most, fc_quick_mul(factor, factor));
+    /* less than 2^-26 is cut in all */
+    bits = most.e + 32 + (most.m > UINT32_MAX - 256);
     ball->lift = bits < 64 ? (uint8_t)((64 - (bits < 2 ? 2 : bits)) & ~1) : 0;
     if (ball->lift > 30) ball->lift = 30;
     if (ball->lift < 2) ball->lift = 2;
     ball->half_lift = ball->lift / 2;
   }
-  /* One column or row has no step. */
-  if (scan->columns == 1) ball->b_dx = 0;
-  if (scan->rows == 1) *b_dy = 0;
   /* Where f > 0 sqrt(f) is at most b, and |b| is greatest at a corner: both times 2^gain so that their sum has up to 31
    * bits. A step is the difference of two pixels: below 2^63 after it. */
   {
@@ -803,28 +797,45 @@ static FC_COLD void set_ball(const fc_scan *scan, const fc_placed_sphere *placed
     ball->b_dx *= INT64_C(1) << gain;
     *b_dy *= INT64_C(1) << gain;
     ball->half_lift = (uint8_t)(ball->half_lift - gain);
-    fold(ball, placed->factor, b_dy, (int64_t)scan->columns + scan->rows + 1);
     /* near / z = (b + sqrt f) 2^(31 - gain - scale / 2) factor 2^exponent */
     ball->drop = (int16_t)-(placed->exponent + 93 - half - gain);
   }
   ball->b_step = (uint32_t)(((uint64_t)ball->b_dx + (UINT32_C(1) << 31)) >> 32);
   ball->outside = fc_high_word(-ball->cone.error);
+  /* The differences of f in 2^-fine of root_run's 31 bits: below 2^31 in the whole tile and one pixel on. */
+  {
+    int64_t low = ball->cone.dx, high, turn = ball->cone.dxy * scan->rows, bend = ball->cone.dxx * (scan->columns + 1);
+    uint8_t bits, down = (uint8_t)(33 - ball->lift);
+    high = low + (turn > 0 ? turn : 0);
+    low += (turn < 0 ? turn : 0) + bend;
+    bits = fc_bits64(fc_abs64(low) | fc_abs64(high));
+    ball->fine = bits + 1 >= 31 + down ? 0 : (uint8_t)(30 + down - bits);
+    if (ball->fine > 6) ball->fine = 6;
+    if (ball->fine > down - 1) ball->fine = (uint8_t)(down - 1);
+    ball->half = (UINT32_C(1) << ball->fine) >> 1;
+    down = (uint8_t)(down - ball->fine);
+    ball->ddm = (uint32_t)(uint64_t)fc_floor_shift64(ball->cone.dxx + (INT64_C(1) << (down - 1)), down);
+    ball->bend = (uint64_t)ball->cone.dxx * 120;
+  }
   /*
    * sqrt(f) is good from f = 2^(2t) on. In units of p = (b + sqrt(f)) 2^gain the form's error e costs e 2^gain / 2^t there,
-   * if e is below half of f; what the lifted f loses below its first 32 bits m costs 2^15 / sqrt(m) / 2^half_lift
-   * = 2^(31 - t - lift / 2 - half_lift). t makes both less than 32, unless that would leave out more than 2^-10 of the greatest f.
+   * if e is below half of f; a unit of root_run's 31 bits costs 2^16 / sqrt(2 m) / 2^half_lift = 2^(32 - t - lift / 2 - half_lift),
+   * and it is off by 9 + 68 / 2^fine. t makes the former less than 32 and the latter little more, unless that would leave out more
+   * than 2^-10 of the greatest f.
    */
   {
     uint8_t bits = fc_bits64((uint64_t)ball->cone.error), root = ball->lift / 2;
-    int16_t t = (int16_t)(bits + gain - 5), most = (int16_t)(27 - root);
-    if (t < 26 - root - ball->half_lift) t = (int16_t)(26 - root - ball->half_lift);
+    const uint32_t loose = 10 + (68u >> ball->fine);
+    int16_t t = (int16_t)(bits + gain - 5), most = (int16_t)(27 - root), least = (int16_t)(30 - root - ball->half_lift), cost;
+    if (t < least) t = least;
     if (t > most) t = most;
     if (2 * t < bits + 1) t = (int16_t)((bits + 2) / 2);
     ball->inside = 2 * t < 32 ? 0 : (int32_t)((INT64_C(1) << 2 * t) >> 32);
     if (t < 16) t = 16; /* a whole word above 0 */
-    /* the root's error (32 before the shift); the two above; b's rounding and drift, and the factors' cuts */
-    ball->error = (32u >> ball->half_lift) + (uint32_t)((ball->cone.error << gain) >> t) + 22;
-    if (31 - t - root - ball->half_lift > 0) ball->error += UINT32_C(1) << (31 - t - root - ball->half_lift);
+    cost = (int16_t)(32 - t - root - ball->half_lift);
+    /* the root's error (32 before the shift); the two above; b's rounding and drift over 16 pixels, and the factors' cuts */
+    ball->error = (32u >> ball->half_lift) + (uint32_t)((ball->cone.error << gain) >> t) + 14;
+    ball->error += cost >= 0 ? loose << cost : (loose >> -cost) + 1;
   }
 }
 
@@ -834,41 +845,43 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   fc_coder coder;
   int64_t b_dy;
   uint16_t row;
-  uint8_t how = LIGHT_AWAY;
-  bool light_set = false;
+  uint8_t how = LIGHT_UNKNOWN;
   set_ball(scan, placed, &ball, &b_dy);
   ball.clip = placed->beyond;
   fc_coder_start(&coder, scan->frame, ball.drop, UINT32_C(1) << 29);
   for (row = 0; row <= scan->last_row;
        row++, fc_cone_next_row(&ball.cone), ball.b = fc_to_i64((uint64_t)ball.b + (uint64_t)b_dy)) {
     sphere_row at;
-    uint64_t b; /* wraps past the tile */
     uint16_t column;
     if (row < scan->first_row || fc_scan_skips(scan, row)) continue;
-    at.f = (uint64_t)ball.cone.f;
-    at.dx = (uint64_t)ball.cone.dx;
-    b = (uint64_t)ball.b;
-    for (column = 0; column < scan->columns; column = (uint16_t)(column + 32)) {
-      uint32_t ps[32], bits, exact;
-      uint8_t count = scan->columns - column < 32 ? (uint8_t)(scan->columns - column) : 32;
-      at.b = (uint32_t)((b + (UINT32_C(1) << 31)) >> 32);
-      at.b_start = b;
-      b += (uint64_t)ball.b_dx << 5;
-      bits = draw_word(scan, &ball, &at, &coder, row, column, count, ps, &exact);
-      if ((bits | exact) == 0 || !fc_scan_wants_light(scan, row, column, bits | exact)) continue;
-      if (exact != 0) fc_scan_shade_slowly(scan, row, column, exact);
+    set_row(scan, &ball, &at);
+    if (at.first != at.from) draw_open(scan, row, at.first, at.from);
+    if (at.to != at.end) draw_open(scan, row, at.to, at.end);
+    for (column = at.from; column < at.to; column = (uint16_t)(column + 32)) {
+      const sphere_row start = at;
+      uint32_t ps[32], bits, open, undecided, rough = 0;
+      uint8_t count = at.to - column < 32 ? (uint8_t)(at.to - column) : 32;
+      root_run(&ball, &at, ps, count);
+      open = ball.clip ? clip_run(scan, &ball, row, column, ps, ps, ps + count) : 0;
+      bits = test_run(scan, row, column, ps, ps + count, ball.error, &coder, &undecided);
+      open |= undecided;
+      if (open != 0) {
+        bits |= settle(scan, &ball, &start, &coder, row, column, open, ps, &rough);
+        bits &= ~rough;
+      }
+      if ((bits | rough) == 0 || !fc_scan_wants_light(scan, row, column, bits | rough)) continue;
+      if (rough != 0) fc_scan_shade_slowly(scan, row, column, rough);
       if (bits == 0) continue;
-      if (!light_set) {
+      if (how == LIGHT_UNKNOWN) {
         how = set_light(scan, &light, ball.drop, ball.error);
         if (how == LIGHT_FORMS) find_occluders(scan, &light);
-        light_set = true;
       }
-      if (how == LIGHT_FORMS && light.occluders != 0)
-        light_row_among(scan, &light, row, column, bits, ps);
-      else if (how == LIGHT_FORMS)
-        light_row(scan, &light, row, column, bits, ps, ps);
-      else
+      if (how == LIGHT_SLOW)
         fc_scan_shade_slowly(scan, row, column, bits);
+      else if (light.occluders != 0)
+        light_row_among(scan, &light, row, column, bits, ps);
+      else
+        light_row(scan, &light, row, column, bits, ps, ps);
     }
   }
 }

@@ -16,6 +16,7 @@ typedef struct fc_brush {
   bool clip;    /* the far limit may cut it */
   bool steep;   /* no affine depth */
   bool even;    /* a small triangle: in one octave and within the far limit */
+  uint32_t zero, step; /* then: the code of p = 0, with half and open / 2; a column's step */
   int16_t coder_drop;  /* what the coder was started for, or out of range */
   uint8_t high;        /* tiles lie in bands of the frame, of so many rows, a power of two */
   int32_t top, bottom; /* rows that the whole triangle may touch */
@@ -110,11 +111,13 @@ static FC_NOINLINE void paint(fc_brush *brush, uint16_t *depth, const uint16_t *
   const uint16_t colour = brush->colour;
   do {
     uint32_t code = at >> 16, there = *depth;
-    if ((at & 0xffffu) <= open || code == there) {
-      ask_at(brush, depth);
-    } else if (code > there) {
-      *depth = (uint16_t)code;
-      memcpy(FC_ALIGNED2(to), &colour, sizeof colour);
+    if (code >= there) { /* rounded upwards where it is open: what is below is hidden */
+      if ((at & 0xffffu) <= open || code == there) {
+        ask_at(brush, depth);
+      } else {
+        *depth = (uint16_t)code;
+        memcpy(FC_ALIGNED2(to), &colour, sizeof colour);
+      }
     }
     at += step;
     to += 2;
@@ -127,11 +130,13 @@ static FC_NOINLINE uint32_t paint_mask(fc_brush *brush, uint16_t *depth, const u
   uint32_t bits = 0, bit = 1;
   do {
     uint32_t code = at >> 16, there = *depth;
-    if ((at & 0xffffu) <= open || code == there) {
-      ask_at(brush, depth);
-    } else if (code > there) {
-      *depth = (uint16_t)code;
-      bits |= bit;
+    if (code >= there) { /* rounded upwards where it is open: what is below is hidden */
+      if ((at & 0xffffu) <= open || code == there) {
+        ask_at(brush, depth);
+      } else {
+        *depth = (uint16_t)code;
+        bits |= bit;
+      }
     }
     at += step;
     bit <<= 1;
@@ -139,11 +144,12 @@ static FC_NOINLINE uint32_t paint_mask(fc_brush *brush, uint16_t *depth, const u
   return bits;
 }
 
-/* What p and its steps become in depth codes with 16 fraction bits: floors. */
-static uint32_t code_of(const fc_coder *coder, uint32_t p) {
-  uint32_t code = coder->shift >= 16 ? p >> (coder->shift - 16) : p << (16 - coder->shift);
-  return code + ((uint32_t)coder->base << 16);
+/* What p and its steps become in depth codes with 16 fraction bits: floors. The first without the coder's base. */
+static inline uint32_t code_part(const fc_coder *coder, uint32_t p) {
+  return coder->shift >= 16 ? p >> (coder->shift - 16) : p << (16 - coder->shift);
 }
+
+static uint32_t code_of(const fc_coder *coder, uint32_t p) { return code_part(coder, p) + ((uint32_t)coder->base << 16); }
 
 static uint32_t code_step(const fc_coder *coder, uint32_t step) {
   int32_t s = fc_to_i32(step);
@@ -349,6 +355,8 @@ static FC_NOINLINE bool small_start(fc_brush *brush, const fc_placed_mesh *mesh,
                 coder->base + (int32_t)(facet->least >> coder->shift) > 1 &&
                 coder->base + (int32_t)(facet->most >> coder->shift) < UINT16_MAX - 1;
   brush->open = code_open(coder, facet->error, brush->scan->columns);
+  brush->zero = ((uint32_t)coder->base << 16) + 0x8000u + brush->open / 2;
+  brush->step = code_step(coder, facet->px);
   if (brush->plain) set_tint(brush);
   return true;
 }
@@ -422,11 +430,11 @@ static FC_NOINLINE bool walk_small_rows(fc_brush *brush, const fc_placed_mesh *m
         if (brush->even) {
           uint16_t *depth = fc_scan_depth(scan, (uint16_t)row, (uint16_t)first);
           const uint16_t *stop = depth + (last - first + 1);
-          const uint32_t at = code_of(&brush->coder, p) + 0x8000u + brush->open / 2, step = code_step(&brush->coder, facet->px);
+          const uint32_t at = code_part(&brush->coder, p) + brush->zero;
           if (brush->plain)
-            paint(brush, depth, stop, fc_scan_pixel(scan, (uint16_t)row, (uint16_t)first), at, step);
+            paint(brush, depth, stop, fc_scan_pixel(scan, (uint16_t)row, (uint16_t)first), at, brush->step);
           else
-            scan->mask[row] |= paint_mask(brush, depth, stop, at, step) << first;
+            scan->mask[row] |= paint_mask(brush, depth, stop, at, brush->step) << first;
         } else {
           for (; first <= last; first++, p += facet->px) careful_pixel(brush, (uint16_t)row, (uint16_t)first, p);
         }
@@ -698,13 +706,13 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
   scan->form = &brush.form;
   fc_bin_start(&walk, group, scan->strip, (uint16_t)(scan->strip + rows - 1));
   while ((scan->index = fc_bin_next(&walk)) != FC_BIN_END) {
-    fc_triangle item;
-    fc_read_triangle(&group->shapes, scan->index, &item);
+    fc_triangle copy;
+    const fc_triangle *item = fc_triangle_at(&group->shapes, scan->index, &copy);
     scan->primitive = (uint16_t)(group->first + scan->index);
     brush.fetched = false;
-    brush.form.material = item.material;
-    brush.form.object = item.object;
-    draw_item(&brush, mesh, &item, rows);
+    brush.form.material = item->material;
+    brush.form.object = item->object;
+    draw_item(&brush, mesh, item, rows);
   }
 }
 

@@ -47,7 +47,7 @@ static FC_COLD fc_num exact_distance(const fc_view *view, const fc_vec3 *v) {
 static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   fc_num most = {0, 0};
   int32_t eye[3] = {0, 0, 0};
-  uint32_t all = 0, sure = 0;
+  uint32_t all = 0, sure = 0, slack;
   uint16_t i;
   uint8_t shift, pass;
   bool quick = whole_eye(view, eye);
@@ -58,8 +58,10 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
       all |= fc_abs32(v.x - eye[0]) | fc_abs32(v.y - eye[1]) | fc_abs32(v.z - eye[2]);
     }
   shift = (uint8_t)(32 - (all == 0 ? 32 : fc_clz32(all)));
+  slack = UINT32_C(6) << (shift < 14 ? shift : 14); /* (a - 1)^2 is a^2 less 2 a at most */
   shift = shift > 14 ? (uint8_t)(shift - 14) : 0;
   for (pass = quick ? 0 : 1; pass < 2; pass++) {
+    if (pass == 1) sure = sure > slack ? sure - slack : 0;
     for (i = 0; i < shapes->vertex_count; i++) {
       fc_vec3 v;
       fc_read_vertex(shapes, i, &v);
@@ -68,9 +70,6 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
         uint32_t x = fc_abs32(v.x - eye[0]) >> shift, y = fc_abs32(v.y - eye[1]) >> shift,
                  z = fc_abs32(v.z - eye[2]) >> shift;
         if (pass == 0) {
-          x -= x > 0;
-          y -= y > 0;
-          z -= z > 0;
           if (x * x + y * y + z * z > sure) sure = x * x + y * y + z * z;
           continue;
         }

@@ -64,10 +64,14 @@ static FC_COLD void add_product(uint16_t *sum, uint8_t n, const uint16_t *a, uin
   for (; a_count > 0; a_count--, a++, sum++, n--) {
     uint32_t carry = 0, factor = *a;
     uint8_t j;
-    for (j = 0; j < n; j++) {
+    for (j = 0; j < b_count; j++) {
       /* (2^16-1)^2 + 2 (2^16-1) = 2^32 - 1: fits */
+      carry += factor * b[j] + sum[j];
+      sum[j] = (uint16_t)carry;
+      carry >>= 16;
+    }
+    for (; carry != 0 && j < n; j++) {
       carry += sum[j];
-      if (j < b_count) carry += factor * b[j];
       sum[j] = (uint16_t)carry;
       carry >>= 16;
     }
