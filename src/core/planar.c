@@ -334,7 +334,7 @@ static FC_COLD uint64_t dot32(const int32_t a[3], const int32_t b[3]) {
   return sum;
 }
 
-static FC_COLD void set_square(const fc_sheaf *w, square_form *s) {
+static void set_square(const fc_sheaf *w, square_form *s) {
   uint64_t xx = dot32(w->dx, w->dx), yy = dot32(w->dy, w->dy);
   s->at = dot32(w->at, w->at);
   s->dx = 2 * dot32(w->at, w->dx) + xx;
@@ -521,7 +521,7 @@ static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g
 }
 
 /* The plane turned to the eye, and cut to 30 bits. */
-static FC_COLD void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t normal[3], fc_i128 k, const int64_t *point) {
+static void set_plane(const fc_scan *scan, fc_planar *planar, const int64_t normal[3], fc_i128 k, const int64_t *point) {
   uint8_t bits = fc_vector_bits(normal), cut = bits > 30 ? (uint8_t)(bits - 30) : 0, i;
   bool away = fc_i128_sign(k) < 0;
   planar->exact_k = k;

@@ -1085,7 +1085,7 @@ typedef struct shadow_test {
 } shadow_test;
 
 /* Up to 8 pixels: those in the dark. */
-static FC_COLD uint32_t shade_some(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column,
+static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column,
                                        uint32_t bits, uint64_t f, uint64_t dx, uint64_t dxx) {
   uint32_t dark = 0, bit = 1;
   for (; bits != 0; bits >>= 1, bit <<= 1, column++, f += dx, dx += dxx) {

@@ -109,6 +109,7 @@ static void test_g2_fallbacks_agree_with_filters(void) {
     fc_segment segment;
     int64_t d[3];
     uint32_t error;
+    int64_t precise[3];
     int i, from = trial % 3, by = trial / 3 % 3;
     bool quick, exact;
     random_form(from, &receiver);
@@ -132,6 +133,9 @@ static void test_g2_fallbacks_agree_with_filters(void) {
     segment.point_error = fc_point_near(fc_root_quick(&root[0]), eye, d, segment.point);
     fc_segment_prepare(&segment);
     if (segment.point_error == UINT32_MAX) continue;
+    TEST_ASSERT_TRUE(fc_point_at(fc_root_value(&root[0]), eye, d, precise));
+    for (i = 0; i < 3; i++) /* that one is within 1 unit */
+      TEST_ASSERT_TRUE(fc_abs64(precise[i] - segment.point[i]) <= (uint64_t)segment.point_error + 1);
     used++;
     quick = kinds[by]->blocked(&occluder, &segment);
     blocked += quick;
