@@ -1156,6 +1156,7 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
   for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(&cone)) {
     uint64_t f = (uint64_t)cone.f, dx = (uint64_t)cone.dx;
     const uint64_t dxx = (uint64_t)cone.dxx;
+    const bool concave = cone.dxx < 0;
     uint16_t column = 0;
     uint8_t word;
     if (row < scan->first_row || row_is_clear(&cone, clear.lit)) continue;
@@ -1168,6 +1169,9 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
       uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
       /* 32 columns on: f + 32 dx + 496 dxx */
       uint64_t f_next = f + (dx << 5) + (dxx << 9) - (dxx << 4), dx_next = dx + (dxx << 5);
+      /* an ellipse: once f is below and falls, or as long as it still rises and stays below, there is nothing to find */
+      if (concave && fc_to_i64(f) < clear.lit && fc_to_i64(dx) <= 0) break;
+      if (concave && word + 1 < scan->words && fc_to_i64(f_next) < clear.lit && fc_to_i64(dx_next - dxx) >= 0) bits = 0;
       /* what lies past the tile does not fit */
       if (bits != 0 && (word + 1 == scan->words || fc_to_i64(f) >= clear.lit - (bulge << 7) || fc_to_i64(f_next) >= clear.lit - (bulge << 7))) {
         uint8_t k;
@@ -1175,11 +1179,13 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
           /* 8 on: f + 8 dx + 28 dxx */
           uint64_t f8 = f + (dx << 3) + (dxx << 5) - (dxx << 2);
           uint32_t some = bits & 0xffu;
+          if (concave && fc_to_i64(f) < clear.lit && fc_to_i64(dx) <= 0) break;
           if (some != 0 && column + k + 8 > scan->columns) {
             darkened |= shade_some(scan, &clear, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
           } else if (some != 0) {
             int64_t low = fc_to_i64(f) < fc_to_i64(f8) ? fc_to_i64(f) : fc_to_i64(f8), high = fc_to_i64(f) < fc_to_i64(f8) ? fc_to_i64(f8) : fc_to_i64(f);
-            if (high >= clear.lit - (bulge << 3)) {
+            if (high >= clear.lit - (bulge << 3) &&
+                !(concave && fc_to_i64(f8) < clear.lit && fc_to_i64(dx + (dxx << 3) - dxx) >= 0)) {
               if (low > clear.dark + (bulge << 3) && everywhere > 0 && !clear.doubted)
                 darkened |= some << k;
               else
