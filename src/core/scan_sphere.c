@@ -526,26 +526,28 @@ typedef struct sphere_row {
 } sphere_row;
 
 /*
- * The pixels among `bits` of a word, whose forms stand in *at, that show the sphere, where 32 bits could not tell: by all bits of the
- * forms, and where these leave it open by the ray engine. *rough: those of them that have no p.
+ * The pixels among `bits` of a word that show the sphere, where 32 bits could not tell: by all bits of the row's forms, and where
+ * these leave it open by the ray engine. *rough: those of them that have no p.
  */
-static FC_COLD uint32_t settle(const fc_scan *scan, const sphere_forms *ball, const sphere_row *at, fc_coder *coder, uint16_t row,
-                               uint16_t column, uint32_t bits, uint32_t *ps, uint32_t *rough) {
+static FC_COLD uint32_t settle(const fc_scan *scan, const sphere_forms *ball, fc_coder *coder, uint16_t row, uint16_t column,
+                               uint32_t bits, uint32_t *ps, uint32_t *rough) {
   uint32_t shown = 0, bit = 1;
   uint8_t n;
   for (n = 0; bits != 0; n++, bits >>= 1, bit <<= 1) {
     uint64_t f;
+    uint32_t x;
     uint16_t *depth = fc_scan_depth(scan, row, (uint16_t)(column + n));
     int32_t code = -1;
     bool good = false;
     if (!(bits & 1)) continue;
-    f = at->f + fc_times(at->dx, n);
-    if (n > 1) f += fc_times((uint64_t)ball->cone.dxx, (uint16_t)(n * (n - 1) / 2));
+    x = (uint32_t)column + n;
+    f = (uint64_t)ball->cone.f + fc_times((uint64_t)ball->cone.dx, x);
+    if (x > 1) f += fc_times((uint64_t)ball->cone.dxx, x * (x - 1) / 2);
     if (fc_to_i64(f) > ball->cone.error && !ball->clip) {
       /* sqrt(f) is off by e / (2 sqrt(f)) at most; floors of the root and of b, and the factors' cuts, 4 (set_ball) */
       uint32_t root = fc_sqrt64(f << ball->lift), p, error;
       uint64_t loss = ((uint64_t)ball->cone.error << (ball->lift - ball->half_lift)) >> (31 - fc_clz32(root)); /* 34 + 30 bits */
-      p = (uint32_t)((at->b + fc_times((uint64_t)ball->b_dx, n)) >> 32) + (root >> ball->half_lift);
+      p = (uint32_t)(((uint64_t)ball->b + fc_times((uint64_t)ball->b_dx, x)) >> 32) + (root >> ball->half_lift);
       if (loss < UINT32_C(1) << 24 && p != 0) {
         error = (uint32_t)loss + 8;
         fc_coder_follow(coder, scan->frame, p);
@@ -858,7 +860,6 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
     if (at.first != at.from) draw_open(scan, row, at.first, at.from);
     if (at.to != at.end) draw_open(scan, row, at.to, at.end);
     for (column = at.from; column < at.to; column = (uint16_t)(column + 32)) {
-      const sphere_row start = at;
       uint32_t ps[32], bits, open, undecided, rough = 0;
       uint8_t count = at.to - column < 32 ? (uint8_t)(at.to - column) : 32;
       root_run(&ball, &at, ps, count);
@@ -866,7 +867,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
       bits = test_run(scan, row, column, ps, ps + count, ball.error, &coder, &undecided);
       open |= undecided;
       if (open != 0) {
-        bits |= settle(scan, &ball, &start, &coder, row, column, open, ps, &rough);
+        bits |= settle(scan, &ball, &coder, row, column, open, ps, &rough);
         bits &= ~rough;
       }
       if ((bits | rough) == 0 || !fc_scan_wants_light(scan, row, column, bits | rough)) continue;
