@@ -487,6 +487,8 @@ typedef struct sphere_forms {
   fc_cone cone;
   int64_t b, b_dx;      /* C.W in units of sqrt(f) with 32 more bits; in a word it may drift by half a unit a pixel */
   uint32_t b_step;
+  uint64_t last, last_dy; /* f at the row's last column, and to the next row's */
+  uint64_t sweep;       /* dxx times the steps to there */
   uint64_t bend;        /* 120 dxx */
   uint32_t ddm;         /* for root_run */
   uint32_t half;
@@ -596,19 +598,19 @@ static FC_NOINLINE uint16_t outside_run(const sphere_forms *ball, uint64_t *f_at
 static FC_NOINLINE void set_row(const fc_scan *scan, const sphere_forms *ball, sphere_row *at) {
   uint64_t f = (uint64_t)ball->cone.f, dx = (uint64_t)ball->cone.dx;
   const uint64_t dxx = (uint64_t)ball->cone.dxx;
-  const uint32_t columns = scan->columns, steps = columns - 1;
+  const uint16_t columns = scan->columns;
   uint16_t first;
   at->f = f;
   at->dx = dx;
-  at->from = outside_run(ball, &at->f, &at->dx, scan->columns, &at->first);
-  at->b = (uint64_t)ball->b + (uint64_t)ball->b_dx * at->from;
+  at->from = outside_run(ball, &at->f, &at->dx, columns, &at->first);
+  at->b = (uint64_t)ball->b + fc_times((uint64_t)ball->b_dx, at->from);
   at->to = at->from;
   at->end = at->first;
   if (at->first == columns) return;
-  /* back from the last column: f there, and the difference to the one before; steps below 2^12 */
-  f += dx * steps + dxx * (steps * (columns - 2) / 2);
-  dx = dxx - (dx + dxx * steps);
-  at->to = (uint16_t)(columns - outside_run(ball, &f, &dx, scan->columns, &first));
+  /* back from the last column: the difference to the one before */
+  f = ball->last;
+  dx = dxx - (dx + ball->sweep);
+  at->to = (uint16_t)(columns - outside_run(ball, &f, &dx, columns, &first));
   at->end = (uint16_t)(columns - first);
   if (at->from == columns) at->from = at->to = at->end; /* none is inside */
 }
@@ -841,6 +843,21 @@ static FC_COLD void set_ball(const fc_scan *scan, const fc_placed_sphere *placed
   }
 }
 
+/* Where rows end; steps below 2^12, and all wraps. */
+static FC_COLD void set_last(sphere_forms *ball, uint64_t steps) {
+  const uint64_t dxx = (uint64_t)ball->cone.dxx;
+  ball->sweep = dxx * steps;
+  ball->last = (uint64_t)ball->cone.f + (uint64_t)ball->cone.dx * steps + dxx * (steps * (steps - 1) / 2);
+  ball->last_dy = (uint64_t)ball->cone.dy + (uint64_t)ball->cone.dxy * steps;
+}
+
+static void next_row(sphere_forms *ball, int64_t b_dy) {
+  ball->last += ball->last_dy;
+  ball->last_dy += (uint64_t)ball->cone.dyy;
+  fc_cone_next_row(&ball->cone);
+  ball->b = fc_to_i64((uint64_t)ball->b + (uint64_t)b_dy);
+}
+
 static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   sphere_forms ball;
   ball_light light;
@@ -849,10 +866,10 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   uint16_t row;
   uint8_t how = LIGHT_UNKNOWN;
   set_ball(scan, placed, &ball, &b_dy);
+  set_last(&ball, (uint64_t)scan->columns - 1);
   ball.clip = placed->beyond;
   fc_coder_start(&coder, scan->frame, ball.drop, UINT32_C(1) << 29);
-  for (row = 0; row <= scan->last_row;
-       row++, fc_cone_next_row(&ball.cone), ball.b = fc_to_i64((uint64_t)ball.b + (uint64_t)b_dy)) {
+  for (row = 0; row <= scan->last_row; row++, next_row(&ball, b_dy)) {
     sphere_row at;
     uint16_t column;
     if (row < scan->first_row || fc_scan_skips(scan, row)) continue;
