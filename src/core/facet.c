@@ -197,18 +197,12 @@ static uint32_t normal_of(uint64_t v, int16_t *exponent) {
   return zeros == 0 ? high : high << zeros | low >> (32 - zeros);
 }
 
-/* v reciprocal 2^(exponent) / 2^32 rounded, both ways; false when it is 2^29 or more. */
-static bool short_slope(int64_t v, uint32_t reciprocal, int16_t exponent, uint32_t *to) {
-  int16_t e;
-  uint32_t m;
-  *to = 0;
-  if (v == 0) return true;
-  m = fc_mulhi32(normal_of(fc_abs64(v), &e), reciprocal);
-  e = (int16_t)-(e + exponent);
-  if (e < 3) return false;
-  if (e > 32) return true;
-  m = ((m >> (e - 1)) + 1) >> 1;
-  *to = v < 0 ? 0u - m : m;
+/* v reciprocal / 2^(32 + down), within 3/4: in quarters, two floors of less than 1 each; false when it is 2^28 or more. */
+static inline bool short_slope(int64_t v, uint32_t reciprocal, uint8_t down, uint32_t *to) {
+  const int64_t cut = fc_floor_shift64(v, (uint8_t)(down - 2));
+  const int32_t n = fc_to_i32((uint32_t)(uint64_t)cut);
+  if (n != cut || ((uint32_t)n + (UINT32_C(1) << 30)) >> 31 != 0) return false;
+  *to = (uint32_t)fc_floor_shift32(fc_smulhi32(n, reciprocal) + 2, 2); /* below 2^30 */
   return true;
 }
 
@@ -291,7 +285,7 @@ bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_place
   const int32_t top = (2 * tile->y0 + 1 - frame->height) * (INT32_C(1) << (fraction - 1));
   int32_t p1, p2;
   uint32_t p[3], steep, reciprocal, low = UINT32_MAX, high = 0;
-  uint8_t i, most = fc_seen_exponent(corners->seen[0]);
+  uint8_t i, down, most = fc_seen_exponent(corners->seen[0]);
   int16_t exponent;
   for (i = 1; i < 3; i++)
     if (fc_seen_exponent(corners->seen[i]) > most) most = fc_seen_exponent(corners->seen[i]);
@@ -309,16 +303,18 @@ bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_place
   }
   /* 1 / |area| = reciprocal 2^(-63 - exponent); the area is not 0, as the edges have told */
   reciprocal = fc_recip_q63(normal_of(fc_abs64(area), &exponent));
-  exponent = (int16_t)(fraction - 31 - exponent);
-  if (!short_slope(fc_product(p1, y2) - fc_product(p2, y1), reciprocal, exponent, &facet->px) ||
-      !short_slope(fc_product(p2, x1) - fc_product(p1, x2), reciprocal, exponent, &facet->py))
+  /* Twice a margin is 4 side + 12 or more; corners rounded to 2^-16 pixels make less than 4 side + 6 of it. So |area| is at least
+   * 6 2^(2 fraction - 16), more than 2^(fraction + 3) as fraction is above 16, and below 2^(2 fraction + 12): 3 .. 40. */
+  down = (uint8_t)(exponent + 31 - fraction);
+  if (!short_slope(fc_product(p1, y2) - fc_product(p2, y1), reciprocal, down, &facet->px) ||
+      !short_slope(fc_product(p2, x1) - fc_product(p1, x2), reciprocal, down, &facet->py))
     return false;
   facet->p = p[0] + moved(facet->px, left - corners->x[0], fraction) + moved(facet->py, top - corners->y[0], fraction);
-  /* as in fc_facet_depth; slopes are rounded to 1/2, over `side` columns and rows; at the frame's centre, within half
+  /* as in fc_facet_depth; slopes are within 3/4, over `side` columns and rows; at the frame's centre, within half
    * its size and 32 pixels each way, at most p + steep * reach */
   steep = fc_abs32(fc_to_i32(facet->px)) + fc_abs32(fc_to_i32(facet->py)) + 2;
   low -= 2 < low ? 2 : low;
-  facet->error = 2 + 16 + 1 + (steep >> (fraction - 1)) + facet->side + 4 +
+  facet->error = 2 + 16 + 1 + (steep >> (fraction - 1)) + facet->side + facet->side / 2 + 5 +
                  fc_mulhi32(steep, (facet->side + 65 + (uint32_t)(frame->width + frame->height) / 2) << 5) + 1;
   facet->least = low > facet->error ? low - facet->error : 0;
   facet->most = high + facet->error + 2;

@@ -5,6 +5,16 @@
 #include "planar.h"
 #include "scan_kinds.h"
 
+/* A vertex on the screen: neighbours share it. */
+#define FC_SPOTS 8
+#define FC_NO_VERTEX UINT16_C(0xffff) /* indices are less than a count of 16 bits */
+
+typedef struct fc_spot {
+  int32_t x, y;
+  uint32_t seen;
+  uint16_t vertex;
+} fc_spot;
+
 /* A triangle being drawn. */
 typedef struct fc_brush {
   fc_scan *scan;
@@ -24,6 +34,7 @@ typedef struct fc_brush {
   uint16_t material;
   uint16_t colour; /* the unlit pixel as it lies in memory */
   uint32_t open;   /* of a depth code with 16 fraction bits: up to here its rounding is open */
+  fc_spot spots[FC_SPOTS]; /* vertex v is kept in spot v % FC_SPOTS */
 } fc_brush;
 
 static void set_tint(fc_brush *brush) {
@@ -631,6 +642,19 @@ static inline int32_t place(int32_t a, int32_t up, uint32_t mantissa) {
   return fc_smulhi32(a, mantissa);
 }
 
+static FC_NOINLINE void fill_spot(fc_spot *spot, const fc_placed_mesh *mesh, uint16_t vertex) {
+  const fc_placed_vertex *v = fc_mesh_vertices(mesh) + vertex;
+  const uint32_t seen = v->seen;
+  spot->vertex = vertex;
+  spot->seen = seen;
+  if (seen != 0) {
+    const uint32_t mantissa = fc_seen_mantissa(seen);
+    const int32_t up = fc_seen_exponent(seen) - mesh->shift;
+    spot->x = place(v->p[0], up, mantissa);
+    spot->y = place(-v->p[1], up, mantissa);
+  }
+}
+
 /* Pixels whose centres may lie between the least and the greatest coordinate. */
 static inline void bounds(const int32_t at[3], uint8_t fraction, uint16_t size, int32_t *low, int32_t *high) {
   int32_t a = at[0], b = at[0], middle = (size - 1) * (INT32_C(1) << (fraction - 1));
@@ -645,34 +669,28 @@ static inline void bounds(const int32_t at[3], uint8_t fraction, uint16_t size, 
 static FC_NOINLINE void draw_item(fc_brush *brush, const fc_placed_mesh *mesh, const fc_triangle *item, uint16_t rows) {
   fc_scan *scan = brush->scan;
   const fc_frame *frame = scan->frame;
-  const fc_placed_vertex *const a = fc_mesh_vertices(mesh) + item->vertex[0], *const b = fc_mesh_vertices(mesh) + item->vertex[1],
-                         *const c = fc_mesh_vertices(mesh) + item->vertex[2];
-  const uint32_t a_seen = a->seen, b_seen = b->seen, c_seen = c->seen;
   fc_corners corners;
   fc_tile box, seen;
   const int32_t last = (int32_t)scan->strip + rows - 1;
-  if (a_seen != 0 && b_seen != 0 && c_seen != 0) {
-    const uint32_t a_mantissa = fc_seen_mantissa(a_seen), b_mantissa = fc_seen_mantissa(b_seen), c_mantissa = fc_seen_mantissa(c_seen);
-    const int32_t shift = mesh->shift, a_up = fc_seen_exponent(a_seen) - shift, b_up = fc_seen_exponent(b_seen) - shift,
-                  c_up = fc_seen_exponent(c_seen) - shift;
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    const uint16_t vertex = item->vertex[i];
+    fc_spot *spot = &brush->spots[vertex % FC_SPOTS];
+    if (spot->vertex != vertex) fill_spot(spot, mesh, vertex);
+    corners.x[i] = spot->x;
+    corners.y[i] = spot->y;
+    corners.seen[i] = spot->seen;
+  }
+  if (corners.seen[0] != 0 && corners.seen[1] != 0 && corners.seen[2] != 0) {
     const uint8_t fraction = mesh->fraction;
-    corners.y[0] = place(-a->p[1], a_up, a_mantissa);
-    corners.y[1] = place(-b->p[1], b_up, b_mantissa);
-    corners.y[2] = place(-c->p[1], c_up, c_mantissa);
     bounds(corners.y, fraction, frame->height, &box.y0, &box.y1);
     seen.y0 = box.y0 > scan->strip ? box.y0 : scan->strip;
     seen.y1 = box.y1 < last ? box.y1 : last;
     if (seen.y0 > seen.y1) return;
-    corners.x[0] = place(a->p[0], a_up, a_mantissa);
-    corners.x[1] = place(b->p[0], b_up, b_mantissa);
-    corners.x[2] = place(c->p[0], c_up, c_mantissa);
     bounds(corners.x, fraction, frame->width, &box.x0, &box.x1);
     seen.x0 = box.x0 > 0 ? box.x0 : 0;
     seen.x1 = box.x1 < frame->width - 1 ? box.x1 : frame->width - 1;
     if (seen.x0 > seen.x1) return;
-    corners.seen[0] = a_seen;
-    corners.seen[1] = b_seen;
-    corners.seen[2] = c_seen;
     corners.fraction = fraction;
     brush->top = box.y0 > 0 ? box.y0 : 0;
     brush->bottom = box.y1 < frame->height - 1 ? box.y1 : frame->height - 1;
@@ -697,11 +715,16 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
   const fc_placed_mesh *mesh = group->memory;
   fc_brush brush;
   fc_bin_walk walk;
+  uint8_t i;
   brush.scan = scan;
   brush.plain = scan->frame->light == FC_LIGHT_NONE && scan->pixel_bytes == 2 && scan->target->primitive == NULL &&
                 scan->target->lit == NULL && ((uintptr_t)scan->target->pixels | scan->target->pitch_bytes) % 2 == 0;
   brush.tinted = false;
   brush.coder_drop = INT16_MAX;
+  for (i = 0; i < FC_SPOTS; i++) {
+    brush.spots[i].x = brush.spots[i].y = 0; /* never read unless placed, but copied */
+    brush.spots[i].vertex = FC_NO_VERTEX;
+  }
   brush.form.u.triangle.hidden = group->shapes.cull ? -1 : 0;
   scan->form = &brush.form;
   fc_bin_start(&walk, group, scan->strip, (uint16_t)(scan->strip + rows - 1));
