@@ -89,9 +89,10 @@ FC_COLD int8_t fc_scan_far(const fc_scan *scan, uint16_t row, uint16_t column, u
   if (frame->scene.far_limit == 0) return 1;
   if (s == FC_FAR_EXACT) return 0;
   fc_view_direction(frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
-  squares = (uint64_t)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) >> 30; /* below 3 * 2^60 */
-  limit = squares * frame->far_scale; /* 32 + 32 bits */
-  limit >>= s;
+  /* D within 2^30: below 3 * 2^60, and 32 + 32 bits */
+  squares = (uint64_t)(fc_smul32((int32_t)d[0], (int32_t)d[0]) + fc_smul32((int32_t)d[1], (int32_t)d[1]) +
+                       fc_smul32((int32_t)d[2], (int32_t)d[2]));
+  limit = fc_mul32((uint32_t)(squares >> 30), frame->far_scale) >> s;
   {
     /* relative errors below 2^-27 in all, the square cut by 1, and 2 p error + error^2 from p */
     uint64_t slack = (limit >> 22) + ((uint64_t)frame->far_scale >> s) + (((uint64_t)2 * p + error) * error >> 8) + 4;
@@ -223,8 +224,8 @@ static bool kind_of(const fc_frame *frame, int32_t p, int32_t hidden, int32_t su
   return p >= kind->low && p <= kind->high;
 }
 
-static bool of_kind(const affine_kind *kind, uint64_t at, int64_t step, uint16_t columns) {
-  int32_t p = fc_to_i32((uint32_t)((at + fc_times((uint64_t)step, columns)) >> 32));
+static bool of_kind(const affine_kind *kind, uint64_t at) {
+  int32_t p = fc_to_i32((uint32_t)(at >> 32));
   return p >= kind->low && p <= kind->high;
 }
 
@@ -256,7 +257,8 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
     if (within > sure) sure = within;
   }
   while (column <= last) {
-    uint16_t count = (uint16_t)(last - column), part = 256; /* and one */
+    uint16_t count = (uint16_t)(last - column); /* and one */
+    uint64_t next;
     affine_kind kind;
     bool known = kind_of(frame, fc_high_word(fc_to_i64(at)), hidden, sure, coder, &kind);
     if (count > 511) count = 511;
@@ -271,10 +273,22 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
       column = (uint16_t)(column + count + 1);
       continue;
     }
-    if (!of_kind(&kind, at, step, count)) {
-      uint16_t whole = count;
-      for (count = 0; part != 0; part /= 2)
-        if (count + part < whole && of_kind(&kind, at, step, (uint16_t)(count + part))) count = (uint16_t)(count + part);
+    next = at + fc_times((uint64_t)step, count);
+    if (!of_kind(&kind, next)) {
+      /* the last of its kind, bit by bit: steps of up to half the run, whose values fit */
+      const uint16_t whole = count;
+      uint16_t part = 1;
+      int64_t move = step;
+      while (2 * part < whole) {
+        part = (uint16_t)(2 * part);
+        move *= 2;
+      }
+      next = at;
+      for (count = 0; part != 0; part /= 2, move = fc_floor_shift64(move, 1)) {
+        if (count + part >= whole || !of_kind(&kind, next + (uint64_t)move)) continue;
+        count = (uint16_t)(count + part);
+        next += (uint64_t)move;
+      }
     }
     count++;
     if (!kind.hidden) {
@@ -292,7 +306,7 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
       }
       affine_plain(scan, row, column, count, &form);
     }
-    at += fc_times((uint64_t)step, count);
+    at = next + (uint64_t)step;
     column = (uint16_t)(column + count);
   }
 }

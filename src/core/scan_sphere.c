@@ -1141,6 +1141,78 @@ static FC_COLD uint64_t square_of(const int64_t v[3]) {
   return sum;
 }
 
+/* m.v / 4, 15 + 15 bits, within 3. */
+static int32_t side_of(const int16_t m[3], const int16_t v[3]) {
+  return fc_floor_shift32((int32_t)m[0] * v[0], 2) + fc_floor_shift32((int32_t)m[1] * v[1], 2) +
+         fc_floor_shift32((int32_t)m[2] * v[2], 2);
+}
+
+/* The sum of the axes, and the greatest. */
+static uint32_t axes_of(const int16_t v[3], uint32_t *greatest) {
+  uint32_t sum = 0;
+  uint8_t i;
+  *greatest = 0;
+  for (i = 0; i < 3; i++) {
+    uint32_t size = fc_abs32(v[i]);
+    sum += size;
+    if (size > *greatest) *greatest = size;
+  }
+  return sum;
+}
+
+/*
+ * Whether a ball seen from the light at C lies clear of what the tile shows, at a glance: W there is between its corners', so the
+ * planes through the light along the upper and the lower edge bound it, and the ball lies beyond one of them.
+ *
+ * A corner w has 15 bits and is within 1 an axis, so the normal w1 x w2 is within e = 2 (w1 + w2 + 1) of their greatest axes. Cut to
+ * 15 bits, m, it is within e 2^-s + 1; C has 15 bits within 1. So m.v is within |m|_1 + (e 2^-s + 1) (|v|_1 + 3) for either.
+ */
+static bool beyond_edges(const fc_planar *receiver, const int64_t center[3], int64_t radius) {
+  int16_t c[3];
+  int32_t reach;
+  uint64_t most = (uint64_t)radius;
+  uint32_t c_sum, greatest;
+  uint8_t i, edge, shift;
+  for (i = 0; i < 3; i++) most |= fc_abs64(center[i]);
+  shift = fc_bits64(most);
+  shift = shift > 15 ? (uint8_t)(shift - 15) : 0;
+  for (i = 0; i < 3; i++) c[i] = (int16_t)fc_floor_shift64(center[i], shift);
+  reach = (int32_t)(radius >> shift) + 1;
+  c_sum = axes_of(c, &greatest);
+  for (edge = 0; edge < 4; edge = (uint8_t)(edge + 2)) {
+    const int16_t *u = receiver->corner[edge], *v = receiver->corner[edge + 1];
+    const int16_t *near = receiver->corner[2 - edge], *next = receiver->corner[3 - edge];
+    int32_t wide[3], inner, other, ball, slack, at;
+    int16_t m[3];
+    uint32_t error, sum, a, b;
+    (void)axes_of(u, &a);
+    (void)axes_of(v, &b);
+    error = 2 * (a + b + 1);
+    most = 0;
+    for (i = 0; i < 3; i++) {
+      uint8_t j = (uint8_t)(i == 2 ? 0 : i + 1), k = (uint8_t)(i == 0 ? 2 : i - 1);
+      wide[i] = (int32_t)u[j] * v[k] - (int32_t)u[k] * v[j]; /* products below 2^28 */
+      most |= fc_abs32(wide[i]);
+    }
+    shift = fc_bits64(most);
+    shift = shift > 15 ? (uint8_t)(shift - 15) : 0;
+    error = (error >> shift) + 2;
+    if (error >> 10 != 0) continue; /* all but parallel */
+    for (i = 0; i < 3; i++) m[i] = (int16_t)fc_floor_shift32(wide[i], shift);
+    sum = axes_of(m, &greatest);
+    a = axes_of(near, &b);
+    a += axes_of(next, &b); /* more than either */
+    slack = (int32_t)((sum + error * (a + 3)) / 4) + 4; /* 17 bits; 10 + 18 */
+    /* |m| is at most its longest axis and half the others: 15 + 17 bits, quartered */
+    ball = (int32_t)(((uint32_t)reach * ((sum + greatest) / 2 + 1)) / 4 + (sum + error * (c_sum + 3)) / 4) + 8;
+    inner = side_of(m, near);
+    other = side_of(m, next);
+    at = side_of(m, c);
+    if ((inner > slack && other > slack && at < -ball) || (inner < -slack && other < -slack && at > ball)) return true;
+  }
+  return false;
+}
+
 void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   const int64_t *c = form->u.sphere.center;
   int64_t center[3], radius = form->u.sphere.radius;
@@ -1158,6 +1230,7 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
     fc_planar_ask(scan, kind, form); /* the light inside the sphere, or on it */
     return;
   }
+  if (beyond_edges(receiver, center, radius)) return;
   everywhere = set_ahead(scan, receiver, center, &ahead);
   if (everywhere < 0) return;
   fc_cone_setup(&cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
