@@ -197,13 +197,12 @@ static uint32_t normal_of(uint64_t v, int16_t *exponent) {
   return zeros == 0 ? high : high << zeros | low >> (32 - zeros);
 }
 
-/* v reciprocal / 2^(32 + down), within 3/4: in quarters, two floors of less than 1 each; false when it is 2^28 or more. */
+/* v reciprocal / 2^(32 + down), within 5/8: in eighths, two floors of less than 1 each, and rounded; false when it may be 2^28 or more. */
 static inline bool short_slope(int64_t v, uint32_t reciprocal, uint8_t down, uint32_t *to) {
-  const int64_t cut = fc_floor_shift64(v, (uint8_t)(down - 2));
+  const int64_t cut = fc_floor_shift64(v, (uint8_t)(down - 3));
   const int32_t n = fc_to_i32((uint32_t)(uint64_t)cut);
-  if (n != cut || ((uint32_t)n + (UINT32_C(1) << 30)) >> 31 != 0) return false;
-  *to = (uint32_t)fc_floor_shift32(fc_smulhi32(n, reciprocal) + 2, 2); /* below 2^30 */
-  return true;
+  *to = (uint32_t)fc_floor_shift32(fc_floor_shift32(fc_smulhi32(n, reciprocal), 2) + 1, 1);
+  return n == cut;
 }
 
 #define SWAP(a, b)  \
@@ -310,11 +309,11 @@ bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_place
       !short_slope(fc_product(p2, x1) - fc_product(p1, x2), reciprocal, down, &facet->py))
     return false;
   facet->p = p[0] + moved(facet->px, left - corners->x[0], fraction) + moved(facet->py, top - corners->y[0], fraction);
-  /* as in fc_facet_depth; slopes are within 3/4, over `side` columns and rows; at the frame's centre, within half
+  /* as in fc_facet_depth; slopes are within 5/8, over `side` columns and rows; at the frame's centre, within half
    * its size and 32 pixels each way, at most p + steep * reach */
   steep = fc_abs32(fc_to_i32(facet->px)) + fc_abs32(fc_to_i32(facet->py)) + 2;
   low -= 2 < low ? 2 : low;
-  facet->error = 2 + 16 + 1 + (steep >> (fraction - 1)) + facet->side + facet->side / 2 + 5 +
+  facet->error = 2 + 16 + 1 + (steep >> (fraction - 1)) + facet->side + facet->side / 4 + 5 +
                  fc_mulhi32(steep, (facet->side + 65 + (uint32_t)(frame->width + frame->height) / 2) << 5) + 1;
   facet->least = low > facet->error ? low - facet->error : 0;
   facet->most = high + facet->error + 2;

@@ -16,25 +16,25 @@ typedef struct fc_spot {
 } fc_spot;
 
 /* A triangle being drawn. */
-typedef struct fc_brush {
+typedef struct fc_brush { /* what is used most comes first: chips with short instructions reach it at once */
   fc_scan *scan;
-  fc_facet facet;
-  fc_form form;
-  fc_coder coder;
   bool fetched; /* form holds the vertices */
   bool plain;   /* colours are final, two bytes each, and nothing else is wanted: pixels are written at once */
   bool clip;    /* the far limit may cut it */
   bool steep;   /* no affine depth */
   bool even;    /* a small triangle: in one octave and within the far limit */
-  uint32_t zero, step; /* then: the code of p = 0, with half and open / 2; a column's step */
-  int16_t coder_drop;  /* what the coder was started for, or out of range */
-  uint8_t high;        /* tiles lie in bands of the frame, of so many rows, a power of two */
-  int32_t top, bottom; /* rows that the whole triangle may touch */
   bool tinted;  /* scan->tint is that of this material */
+  uint8_t high; /* tiles lie in bands of the frame, of so many rows, a power of two */
   uint16_t material;
-  uint16_t colour; /* the unlit pixel as it lies in memory */
-  uint32_t open;   /* of a depth code with 16 fraction bits: up to here its rounding is open */
+  uint16_t colour;     /* the unlit pixel as it lies in memory */
+  int16_t coder_drop;  /* what the coder was started for, or out of range */
+  uint32_t open;       /* of a depth code with 16 fraction bits: up to here its rounding is open */
+  uint32_t zero, step; /* of an even triangle: the code of p = 0, with half and open / 2; a column's step */
+  int32_t top, bottom; /* rows that the whole triangle may touch */
   fc_spot spots[FC_SPOTS]; /* vertex v is kept in spot v % FC_SPOTS */
+  fc_coder coder;
+  fc_facet facet;
+  fc_form form;
 } fc_brush;
 
 static void set_tint(fc_brush *brush) {
