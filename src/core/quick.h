@@ -79,7 +79,7 @@ static inline int64_t fc_smul64hi(int64_t a, int32_t b) {
 }
 
 /* a n, modulo 2^64. */
-static inline uint64_t fc_times(uint64_t a, uint16_t n) {
+static inline uint64_t fc_times(uint64_t a, uint32_t n) {
   return fc_mul32((uint32_t)a, n) + ((uint64_t)((uint32_t)(a >> 32) * n) << 32);
 }
 

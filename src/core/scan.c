@@ -242,11 +242,10 @@ static void affine_plain(fc_scan *scan, uint16_t row, uint16_t column, uint16_t 
 }
 
 void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, int64_t value, int64_t step,
-                    uint8_t gain, uint32_t error) {
+                    uint8_t gain, uint32_t error, fc_coder *coder) {
   const fc_frame *frame = scan->frame;
   const int32_t margin = (int32_t)error;
   int32_t hidden = -margin, sure = margin + 1;
-  fc_coder coder;
   uint64_t at = (uint64_t)value;
   uint16_t column = first;
   if (scan->clip_far) {
@@ -256,18 +255,17 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
     if (beyond > hidden) hidden = beyond;
     if (within > sure) sure = within;
   }
-  fc_coder_start(&coder, frame, (int16_t)-gain, UINT32_C(1) << 29);
   while (column <= last) {
     uint16_t count = (uint16_t)(last - column), part = 256; /* and one */
     affine_kind kind;
-    bool known = kind_of(frame, fc_high_word(fc_to_i64(at)), hidden, sure, &coder, &kind);
+    bool known = kind_of(frame, fc_high_word(fc_to_i64(at)), hidden, sure, coder, &kind);
     if (count > 511) count = 511;
     if (!known) {
       uint16_t i;
       if (count > 7) count = 7;
       for (i = 0; i <= count; i++, at += (uint64_t)step) {
         uint16_t x = (uint16_t)(column + i);
-        if (affine_pixel(scan, row, x, fc_high_word(fc_to_i64(at)), gain, error, scan->clip_far, &coder))
+        if (affine_pixel(scan, row, x, fc_high_word(fc_to_i64(at)), gain, error, scan->clip_far, coder))
           scan->mask[row * scan->words + x / 32] |= UINT32_C(1) << (x % 32);
       }
       column = (uint16_t)(column + count + 1);
@@ -281,7 +279,7 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
     count++;
     if (!kind.hidden) {
       affine_form form;
-      set_codes(&form, at, step, count, error, &coder);
+      set_codes(&form, at, step, count, error, coder);
       if (step == 0 && (form.at & 0xffffu) <= form.open) {
         /* a level row has one depth, so one question will do */
         int64_t d[3];
@@ -500,6 +498,10 @@ FC_COLD void fc_strip_clear(const fc_frame *frame, uint16_t rows, const fc_targe
   if (pixel_bytes == 2) {
     bytes[2] = bytes[0];
     bytes[3] = bytes[1];
+  }
+  if (pixel_bytes == 2 && target->pitch_bytes == 2 * (size_t)frame->width) {
+    fill_pairs((uint8_t *)target->pixels, 2 * pixels, bytes);
+    return;
   }
   for (y = 0; y < rows; y++) {
     uint8_t *to = (uint8_t *)target->pixels + y * target->pitch_bytes;

@@ -144,9 +144,10 @@ void fc_strip_draw(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_ta
 void fc_strip_finish(const fc_frame *frame, uint16_t rows, const fc_target *target);
 
 /* Depth tests of a row between two columns (inclusive), near / z affine: value / 2^(62 - gain) at `first`, off by at
- * most error / 2^(30 - gain); pixels with a value below 0 are missed, the others hit for certain. Sets the row's mask. */
+ * most error / 2^(30 - gain); pixels with a value below 0 are missed, the others hit for certain. Sets the row's mask. The coder was
+ * started for drop -gain; rows follow each other in it. */
 void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, int64_t value, int64_t step,
-                    uint8_t gain, uint32_t error);
+                    uint8_t gain, uint32_t error, fc_coder *coder);
 
 /* Whether one occluder keeps the light from the primitive there, by the ray engine. */
 bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const fc_kind *kind, const fc_form *occluder);

@@ -14,6 +14,8 @@ static FC_COLD void draw_rows(fc_scan *scan, const fc_placed_plane *placed) {
   uint16_t row;
   int64_t d[3], step, dx = 0, dy = 0;
   uint64_t v; /* wraps past the tile */
+  fc_coder coder;
+  fc_coder_start(&coder, scan->frame, (int16_t)-placed->gain, UINT32_C(1) << 29);
   fc_scan_direction(scan, d, &step);
   v = (uint64_t)scaled(placed, fc_dot(n, d));
   /* values differ by less than 2^63; a single column or row has no step, which need not fit */
@@ -21,7 +23,7 @@ static FC_COLD void draw_rows(fc_scan *scan, const fc_placed_plane *placed) {
   if (scan->rows > 1) dy = scaled(placed, -n[1] * step);
   for (row = 0; row <= scan->last_row; row++, v += (uint64_t)dy)
     if (row >= scan->first_row && !fc_scan_skips(scan, row))
-      fc_scan_affine(scan, row, 0, (uint16_t)(scan->columns - 1), fc_to_i64(v), dx, placed->gain, 3);
+      fc_scan_affine(scan, row, 0, (uint16_t)(scan->columns - 1), fc_to_i64(v), dx, placed->gain, 3, &coder);
 }
 
 FC_COLD void fc_plane_draw(fc_scan *scan) {

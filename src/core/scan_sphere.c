@@ -487,6 +487,8 @@ typedef struct sphere_forms {
   fc_cone cone;
   int64_t b, b_dx;      /* C.W in units of sqrt(f) with 32 more bits; in a word it may drift by half a unit a pixel */
   uint32_t b_step;
+  uint64_t last, last_dy; /* f at the row's last column, and to the next row's */
+  uint64_t sweep;       /* dxx times the steps to there */
   uint64_t bend;        /* 120 dxx */
   uint32_t ddm;         /* for root_run */
   uint32_t half;
@@ -526,26 +528,28 @@ typedef struct sphere_row {
 } sphere_row;
 
 /*
- * The pixels among `bits` of a word, whose forms stand in *at, that show the sphere, where 32 bits could not tell: by all bits of the
- * forms, and where these leave it open by the ray engine. *rough: those of them that have no p.
+ * The pixels among `bits` of a word that show the sphere, where 32 bits could not tell: by all bits of the row's forms, and where
+ * these leave it open by the ray engine. *rough: those of them that have no p.
  */
-static FC_COLD uint32_t settle(const fc_scan *scan, const sphere_forms *ball, const sphere_row *at, fc_coder *coder, uint16_t row,
-                               uint16_t column, uint32_t bits, uint32_t *ps, uint32_t *rough) {
+static FC_COLD uint32_t settle(const fc_scan *scan, const sphere_forms *ball, fc_coder *coder, uint16_t row, uint16_t column,
+                               uint32_t bits, uint32_t *ps, uint32_t *rough) {
   uint32_t shown = 0, bit = 1;
   uint8_t n;
   for (n = 0; bits != 0; n++, bits >>= 1, bit <<= 1) {
     uint64_t f;
+    uint32_t x;
     uint16_t *depth = fc_scan_depth(scan, row, (uint16_t)(column + n));
     int32_t code = -1;
     bool good = false;
     if (!(bits & 1)) continue;
-    f = at->f + fc_times(at->dx, n);
-    if (n > 1) f += fc_times((uint64_t)ball->cone.dxx, (uint16_t)(n * (n - 1) / 2));
+    x = (uint32_t)column + n;
+    f = (uint64_t)ball->cone.f + fc_times((uint64_t)ball->cone.dx, x);
+    if (x > 1) f += fc_times((uint64_t)ball->cone.dxx, x * (x - 1) / 2);
     if (fc_to_i64(f) > ball->cone.error && !ball->clip) {
       /* sqrt(f) is off by e / (2 sqrt(f)) at most; floors of the root and of b, and the factors' cuts, 4 (set_ball) */
       uint32_t root = fc_sqrt64(f << ball->lift), p, error;
       uint64_t loss = ((uint64_t)ball->cone.error << (ball->lift - ball->half_lift)) >> (31 - fc_clz32(root)); /* 34 + 30 bits */
-      p = (uint32_t)((at->b + fc_times((uint64_t)ball->b_dx, n)) >> 32) + (root >> ball->half_lift);
+      p = (uint32_t)(((uint64_t)ball->b + fc_times((uint64_t)ball->b_dx, x)) >> 32) + (root >> ball->half_lift);
       if (loss < UINT32_C(1) << 24 && p != 0) {
         error = (uint32_t)loss + 8;
         fc_coder_follow(coder, scan->frame, p);
@@ -594,19 +598,19 @@ static FC_NOINLINE uint16_t outside_run(const sphere_forms *ball, uint64_t *f_at
 static FC_NOINLINE void set_row(const fc_scan *scan, const sphere_forms *ball, sphere_row *at) {
   uint64_t f = (uint64_t)ball->cone.f, dx = (uint64_t)ball->cone.dx;
   const uint64_t dxx = (uint64_t)ball->cone.dxx;
-  const uint32_t columns = scan->columns, steps = columns - 1;
+  const uint16_t columns = scan->columns;
   uint16_t first;
   at->f = f;
   at->dx = dx;
-  at->from = outside_run(ball, &at->f, &at->dx, scan->columns, &at->first);
-  at->b = (uint64_t)ball->b + (uint64_t)ball->b_dx * at->from;
+  at->from = outside_run(ball, &at->f, &at->dx, columns, &at->first);
+  at->b = (uint64_t)ball->b + fc_times((uint64_t)ball->b_dx, at->from);
   at->to = at->from;
   at->end = at->first;
   if (at->first == columns) return;
-  /* back from the last column: f there, and the difference to the one before; steps below 2^12 */
-  f += dx * steps + dxx * (steps * (columns - 2) / 2);
-  dx = dxx - (dx + dxx * steps);
-  at->to = (uint16_t)(columns - outside_run(ball, &f, &dx, scan->columns, &first));
+  /* back from the last column: the difference to the one before */
+  f = ball->last;
+  dx = dxx - (dx + ball->sweep);
+  at->to = (uint16_t)(columns - outside_run(ball, &f, &dx, columns, &first));
   at->end = (uint16_t)(columns - first);
   if (at->from == columns) at->from = at->to = at->end; /* none is inside */
 }
@@ -839,6 +843,21 @@ static FC_COLD void set_ball(const fc_scan *scan, const fc_placed_sphere *placed
   }
 }
 
+/* Where rows end; steps below 2^12, and all wraps. */
+static FC_COLD void set_last(sphere_forms *ball, uint64_t steps) {
+  const uint64_t dxx = (uint64_t)ball->cone.dxx;
+  ball->sweep = dxx * steps;
+  ball->last = (uint64_t)ball->cone.f + (uint64_t)ball->cone.dx * steps + dxx * (steps * (steps - 1) / 2);
+  ball->last_dy = (uint64_t)ball->cone.dy + (uint64_t)ball->cone.dxy * steps;
+}
+
+static void next_row(sphere_forms *ball, int64_t b_dy) {
+  ball->last += ball->last_dy;
+  ball->last_dy += (uint64_t)ball->cone.dyy;
+  fc_cone_next_row(&ball->cone);
+  ball->b = fc_to_i64((uint64_t)ball->b + (uint64_t)b_dy);
+}
+
 static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   sphere_forms ball;
   ball_light light;
@@ -847,10 +866,10 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   uint16_t row;
   uint8_t how = LIGHT_UNKNOWN;
   set_ball(scan, placed, &ball, &b_dy);
+  set_last(&ball, (uint64_t)scan->columns - 1);
   ball.clip = placed->beyond;
   fc_coder_start(&coder, scan->frame, ball.drop, UINT32_C(1) << 29);
-  for (row = 0; row <= scan->last_row;
-       row++, fc_cone_next_row(&ball.cone), ball.b = fc_to_i64((uint64_t)ball.b + (uint64_t)b_dy)) {
+  for (row = 0; row <= scan->last_row; row++, next_row(&ball, b_dy)) {
     sphere_row at;
     uint16_t column;
     if (row < scan->first_row || fc_scan_skips(scan, row)) continue;
@@ -858,7 +877,6 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
     if (at.first != at.from) draw_open(scan, row, at.first, at.from);
     if (at.to != at.end) draw_open(scan, row, at.to, at.end);
     for (column = at.from; column < at.to; column = (uint16_t)(column + 32)) {
-      const sphere_row start = at;
       uint32_t ps[32], bits, open, undecided, rough = 0;
       uint8_t count = at.to - column < 32 ? (uint8_t)(at.to - column) : 32;
       root_run(&ball, &at, ps, count);
@@ -866,7 +884,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
       bits = test_run(scan, row, column, ps, ps + count, ball.error, &coder, &undecided);
       open |= undecided;
       if (open != 0) {
-        bits |= settle(scan, &ball, &start, &coder, row, column, open, ps, &rough);
+        bits |= settle(scan, &ball, &coder, row, column, open, ps, &rough);
         bits &= ~rough;
       }
       if ((bits | rough) == 0 || !fc_scan_wants_light(scan, row, column, bits | rough)) continue;
