@@ -100,7 +100,7 @@ static uint32_t size_of(uint64_t v) { return (uint32_t)(fc_abs64(fc_to_i64(v)) >
 static uint8_t coarse(const fc_corners *corners, const fc_placed_mesh *mesh) {
   uint8_t i;
   for (i = 0; i < 3; i++)
-    if (fc_seen_exponent(corners->seen[i]) < mesh->shift) return 1;
+    if (corners->exponent[i] < mesh->shift) return 1;
   return 0;
 }
 
@@ -127,7 +127,7 @@ bool fc_facet_depth(fc_facet *facet, const fc_frame *frame, const fc_placed_mesh
   int16_t exponent;
   uint64_t at;
   for (i = 0; i < 3; i++) {
-    uint8_t e = fc_seen_exponent(corners->seen[i]);
+    uint8_t e = corners->exponent[i];
     if (e > most) most = e;
   }
   /* 1 / determinant = reciprocal 2^(-63 - exponent) */
@@ -137,7 +137,7 @@ bool fc_facet_depth(fc_facet *facet, const fc_frame *frame, const fc_placed_mesh
   for (cut = 0;; cut = (uint8_t)(cut + 4)) {
     for (i = 0; i < 3; i++) {
       /* below 2^31; short by less than 2 */
-      p[i] = fc_mulhi32(fc_seen_mantissa(corners->seen[i]), mesh->depth) >> (1 + most - fc_seen_exponent(corners->seen[i]));
+      p[i] = corners->near[i] >> (1 + most - corners->exponent[i]);
       p[i] >>= cut;
     }
     facet->drop = (int16_t)(mesh->depth_down + mesh->focal_down - most - 32 - cut);
@@ -284,12 +284,12 @@ bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_place
   const int32_t top = (2 * tile->y0 + 1 - frame->height) * (INT32_C(1) << (fraction - 1));
   int32_t p1, p2;
   uint32_t p[3], steep, reciprocal, low = UINT32_MAX, high = 0;
-  uint8_t i, down, most = fc_seen_exponent(corners->seen[0]);
+  uint8_t i, down, most = corners->exponent[0];
   int16_t exponent;
   for (i = 1; i < 3; i++)
-    if (fc_seen_exponent(corners->seen[i]) > most) most = fc_seen_exponent(corners->seen[i]);
+    if (corners->exponent[i] > most) most = corners->exponent[i];
   for (i = 0; i < 3; i++) {
-    p[i] = fc_mulhi32(fc_seen_mantissa(corners->seen[i]), mesh->depth) >> (1 + most - fc_seen_exponent(corners->seen[i]));
+    p[i] = corners->near[i] >> (1 + most - corners->exponent[i]);
     if (p[i] < low) low = p[i];
     if (p[i] > high) high = p[i];
   }
@@ -314,7 +314,8 @@ bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_place
   steep = fc_abs32(fc_to_i32(facet->px)) + fc_abs32(fc_to_i32(facet->py)) + 2;
   low -= 2 < low ? 2 : low;
   facet->error = 2 + 16 + 1 + (steep >> (fraction - 1)) + facet->side + facet->side / 4 + 5 +
-                 fc_mulhi32(steep, (facet->side + 65 + (uint32_t)(frame->width + frame->height) / 2) << 5) + 1;
+                 /* 14 + 13 bits; 2^-27 steep times the way */
+                 ((((steep >> 16) + 1) * (facet->side + 65 + (uint32_t)(frame->width + frame->height) / 2)) >> 11) + 1;
   facet->least = low > facet->error ? low - facet->error : 0;
   facet->most = high + facet->error + 2;
   return true;

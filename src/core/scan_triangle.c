@@ -11,8 +11,9 @@
 
 typedef struct fc_spot {
   int32_t x, y;
-  uint32_t seen;
+  uint32_t near; /* as in fc_corners */
   uint16_t vertex;
+  uint8_t exponent;
 } fc_spot;
 
 /* A triangle being drawn. */
@@ -646,10 +647,12 @@ static FC_NOINLINE void fill_spot(fc_spot *spot, const fc_placed_mesh *mesh, uin
   const fc_placed_vertex *v = fc_mesh_vertices(mesh) + vertex;
   const uint32_t seen = v->seen;
   spot->vertex = vertex;
-  spot->seen = seen;
+  spot->near = 0;
   if (seen != 0) {
     const uint32_t mantissa = fc_seen_mantissa(seen);
     const int32_t up = fc_seen_exponent(seen) - mesh->shift;
+    spot->near = fc_mulhi32(mantissa, mesh->depth); /* at least 2^30 */
+    spot->exponent = fc_seen_exponent(seen);
     spot->x = place(v->p[0], up, mantissa);
     spot->y = place(-v->p[1], up, mantissa);
   }
@@ -679,9 +682,10 @@ static FC_NOINLINE void draw_item(fc_brush *brush, const fc_placed_mesh *mesh, c
     if (spot->vertex != vertex) fill_spot(spot, mesh, vertex);
     corners.x[i] = spot->x;
     corners.y[i] = spot->y;
-    corners.seen[i] = spot->seen;
+    corners.near[i] = spot->near;
+    corners.exponent[i] = spot->exponent;
   }
-  if (corners.seen[0] != 0 && corners.seen[1] != 0 && corners.seen[2] != 0) {
+  if (corners.near[0] != 0 && corners.near[1] != 0 && corners.near[2] != 0) {
     const uint8_t fraction = mesh->fraction;
     bounds(corners.y, fraction, frame->height, &box.y0, &box.y1);
     seen.y0 = box.y0 > scan->strip ? box.y0 : scan->strip;
@@ -722,7 +726,7 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
   brush.tinted = false;
   brush.coder_drop = INT16_MAX;
   for (i = 0; i < FC_SPOTS; i++) {
-    brush.spots[i].x = brush.spots[i].y = 0; /* never read unless placed, but copied */
+    brush.spots[i].x = brush.spots[i].y = brush.spots[i].exponent = 0; /* never read unless placed, but copied */
     brush.spots[i].vertex = FC_NO_VERTEX;
   }
   brush.form.u.triangle.hidden = group->shapes.cull ? -1 : 0;
