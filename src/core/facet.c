@@ -283,19 +283,22 @@ bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_place
   const int32_t left = (2 * tile->x0 + 1 - frame->width) * (INT32_C(1) << (fraction - 1));
   const int32_t top = (2 * tile->y0 + 1 - frame->height) * (INT32_C(1) << (fraction - 1));
   int32_t p1, p2;
-  uint32_t p[3], steep, reciprocal, low = UINT32_MAX, high = 0;
-  uint8_t i, down, most = corners->exponent[0];
+  uint32_t p0, steep, reciprocal, low, high;
+  uint8_t down, most = corners->exponent[0];
   int16_t exponent;
-  for (i = 1; i < 3; i++)
-    if (corners->exponent[i] > most) most = corners->exponent[i];
-  for (i = 0; i < 3; i++) {
-    p[i] = corners->near[i] >> (1 + most - corners->exponent[i]);
-    if (p[i] < low) low = p[i];
-    if (p[i] > high) high = p[i];
-  }
+  if (corners->exponent[1] > most) most = corners->exponent[1];
+  if (corners->exponent[2] > most) most = corners->exponent[2];
+  p0 = corners->near[0] >> (1 + most - corners->exponent[0]);
+  p1 = (int32_t)(corners->near[1] >> (1 + most - corners->exponent[1]));
+  p2 = (int32_t)(corners->near[2] >> (1 + most - corners->exponent[2]));
+  low = high = p0;
+  if ((uint32_t)p1 < low) low = (uint32_t)p1;
+  if ((uint32_t)p1 > high) high = (uint32_t)p1;
+  if ((uint32_t)p2 < low) low = (uint32_t)p2;
+  if ((uint32_t)p2 > high) high = (uint32_t)p2;
   facet->drop = (int16_t)(mesh->depth_down + mesh->focal_down - most - 32);
-  p1 = (int32_t)p[1] - (int32_t)p[0];
-  p2 = (int32_t)p[2] - (int32_t)p[0];
+  p1 -= (int32_t)p0; /* all below 2^31 */
+  p2 -= (int32_t)p0;
   if (area < 0) {
     p1 = -p1;
     p2 = -p2;
@@ -308,7 +311,7 @@ bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_place
   if (!short_slope(fc_product(p1, y2) - fc_product(p2, y1), reciprocal, down, &facet->px) ||
       !short_slope(fc_product(p2, x1) - fc_product(p1, x2), reciprocal, down, &facet->py))
     return false;
-  facet->p = p[0] + moved(facet->px, left - corners->x[0], fraction) + moved(facet->py, top - corners->y[0], fraction);
+  facet->p = p0 + moved(facet->px, left - corners->x[0], fraction) + moved(facet->py, top - corners->y[0], fraction);
   /* as in fc_facet_depth; slopes are within 5/8, over `side` columns and rows; at the frame's centre, within half
    * its size and 32 pixels each way, at most p + steep * reach */
   steep = fc_abs32(fc_to_i32(facet->px)) + fc_abs32(fc_to_i32(facet->py)) + 2;

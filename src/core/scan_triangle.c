@@ -39,10 +39,12 @@ typedef struct fc_brush { /* what is used most comes first: chips with short ins
 } fc_brush;
 
 static void set_tint(fc_brush *brush) {
+  uint8_t *colour = (uint8_t *)&brush->colour;
   if (brush->tinted && brush->material == brush->form.material) return;
   fc_scan_tint(brush->scan);
   brush->tinted = true;
-  memcpy(&brush->colour, brush->scan->tint.unlit, sizeof brush->colour);
+  colour[0] = brush->scan->tint.unlit[0];
+  colour[1] = brush->scan->tint.unlit[1];
   brush->material = brush->form.material;
 }
 
@@ -658,6 +660,15 @@ static FC_NOINLINE void fill_spot(fc_spot *spot, const fc_placed_mesh *mesh, uin
   }
 }
 
+static inline void take_corner(fc_brush *brush, const fc_placed_mesh *mesh, uint16_t vertex, fc_corners *corners, uint8_t i) {
+  fc_spot *spot = &brush->spots[vertex % FC_SPOTS];
+  if (spot->vertex != vertex) fill_spot(spot, mesh, vertex);
+  corners->x[i] = spot->x;
+  corners->y[i] = spot->y;
+  corners->near[i] = spot->near;
+  corners->exponent[i] = spot->exponent;
+}
+
 /* Pixels whose centres may lie between the least and the greatest coordinate. */
 static inline void bounds(const int32_t at[3], uint8_t fraction, uint16_t size, int32_t *low, int32_t *high) {
   int32_t a = at[0], b = at[0], middle = (size - 1) * (INT32_C(1) << (fraction - 1));
@@ -675,16 +686,9 @@ static FC_NOINLINE void draw_item(fc_brush *brush, const fc_placed_mesh *mesh, c
   fc_corners corners;
   fc_tile box, seen;
   const int32_t last = (int32_t)scan->strip + rows - 1;
-  uint8_t i;
-  for (i = 0; i < 3; i++) {
-    const uint16_t vertex = item->vertex[i];
-    fc_spot *spot = &brush->spots[vertex % FC_SPOTS];
-    if (spot->vertex != vertex) fill_spot(spot, mesh, vertex);
-    corners.x[i] = spot->x;
-    corners.y[i] = spot->y;
-    corners.near[i] = spot->near;
-    corners.exponent[i] = spot->exponent;
-  }
+  take_corner(brush, mesh, item->vertex[0], &corners, 0);
+  take_corner(brush, mesh, item->vertex[1], &corners, 1);
+  take_corner(brush, mesh, item->vertex[2], &corners, 2);
   if (corners.near[0] != 0 && corners.near[1] != 0 && corners.near[2] != 0) {
     const uint8_t fraction = mesh->fraction;
     bounds(corners.y, fraction, frame->height, &box.y0, &box.y1);
