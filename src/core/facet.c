@@ -100,7 +100,7 @@ static uint32_t size_of(uint64_t v) { return (uint32_t)(fc_abs64(fc_to_i64(v)) >
 static uint8_t coarse(const fc_corners *corners, const fc_placed_mesh *mesh) {
   uint8_t i;
   for (i = 0; i < 3; i++)
-    if (fc_seen_exponent(corners->seen[i]) < mesh->shift) return 1;
+    if (corners->exponent[i] < mesh->shift) return 1;
   return 0;
 }
 
@@ -127,7 +127,7 @@ bool fc_facet_depth(fc_facet *facet, const fc_frame *frame, const fc_placed_mesh
   int16_t exponent;
   uint64_t at;
   for (i = 0; i < 3; i++) {
-    uint8_t e = fc_seen_exponent(corners->seen[i]);
+    uint8_t e = corners->exponent[i];
     if (e > most) most = e;
   }
   /* 1 / determinant = reciprocal 2^(-63 - exponent) */
@@ -137,7 +137,7 @@ bool fc_facet_depth(fc_facet *facet, const fc_frame *frame, const fc_placed_mesh
   for (cut = 0;; cut = (uint8_t)(cut + 4)) {
     for (i = 0; i < 3; i++) {
       /* below 2^31; short by less than 2 */
-      p[i] = fc_mulhi32(fc_seen_mantissa(corners->seen[i]), mesh->depth) >> (1 + most - fc_seen_exponent(corners->seen[i]));
+      p[i] = corners->near[i] >> (1 + most - corners->exponent[i]);
       p[i] >>= cut;
     }
     facet->drop = (int16_t)(mesh->depth_down + mesh->focal_down - most - 32 - cut);
@@ -197,13 +197,12 @@ static uint32_t normal_of(uint64_t v, int16_t *exponent) {
   return zeros == 0 ? high : high << zeros | low >> (32 - zeros);
 }
 
-/* v reciprocal / 2^(32 + down), within 3/4: in quarters, two floors of less than 1 each; false when it is 2^28 or more. */
+/* v reciprocal / 2^(32 + down), within 5/8: in eighths, two floors of less than 1 each, and rounded; false when it may be 2^28 or more. */
 static inline bool short_slope(int64_t v, uint32_t reciprocal, uint8_t down, uint32_t *to) {
-  const int64_t cut = fc_floor_shift64(v, (uint8_t)(down - 2));
+  const int64_t cut = fc_floor_shift64(v, (uint8_t)(down - 3));
   const int32_t n = fc_to_i32((uint32_t)(uint64_t)cut);
-  if (n != cut || ((uint32_t)n + (UINT32_C(1) << 30)) >> 31 != 0) return false;
-  *to = (uint32_t)fc_floor_shift32(fc_smulhi32(n, reciprocal) + 2, 2); /* below 2^30 */
-  return true;
+  *to = (uint32_t)fc_floor_shift32(fc_floor_shift32(fc_smulhi32(n, reciprocal), 2) + 1, 1);
+  return n == cut;
 }
 
 #define SWAP(a, b)  \
@@ -284,19 +283,22 @@ bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_place
   const int32_t left = (2 * tile->x0 + 1 - frame->width) * (INT32_C(1) << (fraction - 1));
   const int32_t top = (2 * tile->y0 + 1 - frame->height) * (INT32_C(1) << (fraction - 1));
   int32_t p1, p2;
-  uint32_t p[3], steep, reciprocal, low = UINT32_MAX, high = 0;
-  uint8_t i, down, most = fc_seen_exponent(corners->seen[0]);
+  uint32_t p0, steep, reciprocal, low, high;
+  uint8_t down, most = corners->exponent[0];
   int16_t exponent;
-  for (i = 1; i < 3; i++)
-    if (fc_seen_exponent(corners->seen[i]) > most) most = fc_seen_exponent(corners->seen[i]);
-  for (i = 0; i < 3; i++) {
-    p[i] = fc_mulhi32(fc_seen_mantissa(corners->seen[i]), mesh->depth) >> (1 + most - fc_seen_exponent(corners->seen[i]));
-    if (p[i] < low) low = p[i];
-    if (p[i] > high) high = p[i];
-  }
+  if (corners->exponent[1] > most) most = corners->exponent[1];
+  if (corners->exponent[2] > most) most = corners->exponent[2];
+  p0 = corners->near[0] >> (1 + most - corners->exponent[0]);
+  p1 = (int32_t)(corners->near[1] >> (1 + most - corners->exponent[1]));
+  p2 = (int32_t)(corners->near[2] >> (1 + most - corners->exponent[2]));
+  low = high = p0;
+  if ((uint32_t)p1 < low) low = (uint32_t)p1;
+  if ((uint32_t)p1 > high) high = (uint32_t)p1;
+  if ((uint32_t)p2 < low) low = (uint32_t)p2;
+  if ((uint32_t)p2 > high) high = (uint32_t)p2;
   facet->drop = (int16_t)(mesh->depth_down + mesh->focal_down - most - 32);
-  p1 = (int32_t)p[1] - (int32_t)p[0];
-  p2 = (int32_t)p[2] - (int32_t)p[0];
+  p1 -= (int32_t)p0; /* all below 2^31 */
+  p2 -= (int32_t)p0;
   if (area < 0) {
     p1 = -p1;
     p2 = -p2;
@@ -309,13 +311,14 @@ bool fc_small_depth(fc_small_facet *facet, const fc_frame *frame, const fc_place
   if (!short_slope(fc_product(p1, y2) - fc_product(p2, y1), reciprocal, down, &facet->px) ||
       !short_slope(fc_product(p2, x1) - fc_product(p1, x2), reciprocal, down, &facet->py))
     return false;
-  facet->p = p[0] + moved(facet->px, left - corners->x[0], fraction) + moved(facet->py, top - corners->y[0], fraction);
-  /* as in fc_facet_depth; slopes are within 3/4, over `side` columns and rows; at the frame's centre, within half
+  facet->p = p0 + moved(facet->px, left - corners->x[0], fraction) + moved(facet->py, top - corners->y[0], fraction);
+  /* as in fc_facet_depth; slopes are within 5/8, over `side` columns and rows; at the frame's centre, within half
    * its size and 32 pixels each way, at most p + steep * reach */
   steep = fc_abs32(fc_to_i32(facet->px)) + fc_abs32(fc_to_i32(facet->py)) + 2;
   low -= 2 < low ? 2 : low;
-  facet->error = 2 + 16 + 1 + (steep >> (fraction - 1)) + facet->side + facet->side / 2 + 5 +
-                 fc_mulhi32(steep, (facet->side + 65 + (uint32_t)(frame->width + frame->height) / 2) << 5) + 1;
+  facet->error = 2 + 16 + 1 + (steep >> (fraction - 1)) + facet->side + facet->side / 4 + 5 +
+                 /* 14 + 13 bits; 2^-27 steep times the way */
+                 ((((steep >> 16) + 1) * (facet->side + 65 + (uint32_t)(frame->width + frame->height) / 2)) >> 11) + 1;
   facet->least = low > facet->error ? low - facet->error : 0;
   facet->most = high + facet->error + 2;
   return true;

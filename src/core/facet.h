@@ -19,10 +19,11 @@ typedef struct fc_facet {
 } fc_facet;
 
 /* Corners on the screen: 2^fraction units a pixel from the frame's centre, x to the right, y downwards. Each is within
- * FC_CORNER_ERROR units of the true place. */
+ * FC_CORNER_ERROR units of the true place. near: the mantissa of `seen` times the mesh's depth / 2^32, 0 when not seen; and its exponent. */
 typedef struct fc_corners {
   int32_t x[3], y[3];
-  uint32_t seen[3];
+  uint32_t near[3];
+  uint8_t exponent[3];
   uint8_t fraction;
 } fc_corners;
 

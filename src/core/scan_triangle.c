@@ -11,37 +11,40 @@
 
 typedef struct fc_spot {
   int32_t x, y;
-  uint32_t seen;
+  uint32_t near; /* as in fc_corners */
   uint16_t vertex;
+  uint8_t exponent;
 } fc_spot;
 
 /* A triangle being drawn. */
-typedef struct fc_brush {
+typedef struct fc_brush { /* what is used most comes first: chips with short instructions reach it at once */
   fc_scan *scan;
-  fc_facet facet;
-  fc_form form;
-  fc_coder coder;
   bool fetched; /* form holds the vertices */
   bool plain;   /* colours are final, two bytes each, and nothing else is wanted: pixels are written at once */
   bool clip;    /* the far limit may cut it */
   bool steep;   /* no affine depth */
   bool even;    /* a small triangle: in one octave and within the far limit */
-  uint32_t zero, step; /* then: the code of p = 0, with half and open / 2; a column's step */
-  int16_t coder_drop;  /* what the coder was started for, or out of range */
-  uint8_t high;        /* tiles lie in bands of the frame, of so many rows, a power of two */
-  int32_t top, bottom; /* rows that the whole triangle may touch */
   bool tinted;  /* scan->tint is that of this material */
+  uint8_t high; /* tiles lie in bands of the frame, of so many rows, a power of two */
   uint16_t material;
-  uint16_t colour; /* the unlit pixel as it lies in memory */
-  uint32_t open;   /* of a depth code with 16 fraction bits: up to here its rounding is open */
+  uint16_t colour;     /* the unlit pixel as it lies in memory */
+  int16_t coder_drop;  /* what the coder was started for, or out of range */
+  uint32_t open;       /* of a depth code with 16 fraction bits: up to here its rounding is open */
+  uint32_t zero, step; /* of an even triangle: the code of p = 0, with half and open / 2; a column's step */
+  int32_t top, bottom; /* rows that the whole triangle may touch */
   fc_spot spots[FC_SPOTS]; /* vertex v is kept in spot v % FC_SPOTS */
+  fc_coder coder;
+  fc_facet facet;
+  fc_form form;
 } fc_brush;
 
 static void set_tint(fc_brush *brush) {
+  uint8_t *colour = (uint8_t *)&brush->colour;
   if (brush->tinted && brush->material == brush->form.material) return;
   fc_scan_tint(brush->scan);
   brush->tinted = true;
-  memcpy(&brush->colour, brush->scan->tint.unlit, sizeof brush->colour);
+  colour[0] = brush->scan->tint.unlit[0];
+  colour[1] = brush->scan->tint.unlit[1];
   brush->material = brush->form.material;
 }
 
@@ -646,13 +649,24 @@ static FC_NOINLINE void fill_spot(fc_spot *spot, const fc_placed_mesh *mesh, uin
   const fc_placed_vertex *v = fc_mesh_vertices(mesh) + vertex;
   const uint32_t seen = v->seen;
   spot->vertex = vertex;
-  spot->seen = seen;
+  spot->near = 0;
   if (seen != 0) {
     const uint32_t mantissa = fc_seen_mantissa(seen);
     const int32_t up = fc_seen_exponent(seen) - mesh->shift;
+    spot->near = fc_mulhi32(mantissa, mesh->depth); /* at least 2^30 */
+    spot->exponent = fc_seen_exponent(seen);
     spot->x = place(v->p[0], up, mantissa);
     spot->y = place(-v->p[1], up, mantissa);
   }
+}
+
+static inline void take_corner(fc_brush *brush, const fc_placed_mesh *mesh, uint16_t vertex, fc_corners *corners, uint8_t i) {
+  fc_spot *spot = &brush->spots[vertex % FC_SPOTS];
+  if (spot->vertex != vertex) fill_spot(spot, mesh, vertex);
+  corners->x[i] = spot->x;
+  corners->y[i] = spot->y;
+  corners->near[i] = spot->near;
+  corners->exponent[i] = spot->exponent;
 }
 
 /* Pixels whose centres may lie between the least and the greatest coordinate. */
@@ -672,16 +686,10 @@ static FC_NOINLINE void draw_item(fc_brush *brush, const fc_placed_mesh *mesh, c
   fc_corners corners;
   fc_tile box, seen;
   const int32_t last = (int32_t)scan->strip + rows - 1;
-  uint8_t i;
-  for (i = 0; i < 3; i++) {
-    const uint16_t vertex = item->vertex[i];
-    fc_spot *spot = &brush->spots[vertex % FC_SPOTS];
-    if (spot->vertex != vertex) fill_spot(spot, mesh, vertex);
-    corners.x[i] = spot->x;
-    corners.y[i] = spot->y;
-    corners.seen[i] = spot->seen;
-  }
-  if (corners.seen[0] != 0 && corners.seen[1] != 0 && corners.seen[2] != 0) {
+  take_corner(brush, mesh, item->vertex[0], &corners, 0);
+  take_corner(brush, mesh, item->vertex[1], &corners, 1);
+  take_corner(brush, mesh, item->vertex[2], &corners, 2);
+  if (corners.near[0] != 0 && corners.near[1] != 0 && corners.near[2] != 0) {
     const uint8_t fraction = mesh->fraction;
     bounds(corners.y, fraction, frame->height, &box.y0, &box.y1);
     seen.y0 = box.y0 > scan->strip ? box.y0 : scan->strip;
@@ -722,7 +730,7 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
   brush.tinted = false;
   brush.coder_drop = INT16_MAX;
   for (i = 0; i < FC_SPOTS; i++) {
-    brush.spots[i].x = brush.spots[i].y = 0; /* never read unless placed, but copied */
+    brush.spots[i].x = brush.spots[i].y = brush.spots[i].exponent = 0; /* never read unless placed, but copied */
     brush.spots[i].vertex = FC_NO_VERTEX;
   }
   brush.form.u.triangle.hidden = group->shapes.cull ? -1 : 0;
