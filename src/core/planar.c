@@ -468,8 +468,9 @@ static uint32_t least_square(const cosine_row *r, uint8_t n) {
 
 /* The longest chords that are good enough for q from `least` on: 2^s pixels; 0: none. 6.1^2 m^2 / 2 = 4764, 1191, 298, 75. */
 static uint8_t chord_of(uint32_t least, uint32_t ddq) {
-  uint32_t q = least >> 8;
-  return q >> 4 >= ddq + (ddq >> 2) ? 4 : q >> 2 >= ddq + (ddq >> 2) ? 3 : q >> 1 >= ddq ? 2 : q >= ddq ? 1 : 0;
+  /* 4096, 1024, 256 and 64 times 5 / 4 */
+  const uint32_t bend = ddq + (ddq >> 2);
+  return least >> 12 >= bend ? 4 : least >> 10 >= bend ? 3 : least >> 8 >= bend ? 2 : least >> 6 >= bend ? 1 : 0;
 }
 
 static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {

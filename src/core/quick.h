@@ -19,7 +19,7 @@
 #endif
 
 /* a * b. */
-static inline uint64_t fc_mul32(uint32_t a, uint32_t b) {
+FC_INLINE uint64_t fc_mul32(uint32_t a, uint32_t b) {
 #ifdef FC_SHORT_MULTIPLIER
   uint32_t a0 = a & 0xffffu, a1 = a >> 16, b0 = b & 0xffffu, b1 = b >> 16;
   uint32_t low = a0 * b0, m1 = a1 * b0, m2 = a0 * b1, high = a1 * b1;
