@@ -221,7 +221,10 @@ static bool misses(const fc_planar *receiver, const int32_t a[3][3], int8_t sign
       all |= fc_abs32(e[j]);
       v[j] = fc_floor_shift32(from[j], shift);
     }
-    if (all == 0) return false;
+    if (all == 0) { /* no edge, which tells nothing */
+      edges[i].at = edges[i].right = edges[i].down = 0;
+      continue;
+    }
     cut = (uint8_t)fc_clz32(all);
     if (cut < 17) {
       cut = (uint8_t)(17 - cut);

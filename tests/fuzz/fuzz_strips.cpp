@@ -22,11 +22,11 @@ struct Setting {
 };
 
 const std::array<Setting, 6> settings = {{{fixed_s1, 12, 9, {}},
-                                          {fixed_s1, 1, 7, {FC_OFFSET_RESIDUAL, 4, 0, 0}},
-                                          {fixed_s1, 16, 2, {FC_OFFSET_EPSILON, 2, 0, 64}},
+                                          {fixed_s1, 1, 7, {FC_OFFSET_RESIDUAL, 4, 0, FC_PROFILE_EXACT, 0}},
+                                          {fixed_s1, 16, 2, {FC_OFFSET_EPSILON, 2, 0, FC_PROFILE_FAST, 64}},
                                           {fixed_mesh, 12, 12, {}},
-                                          {fixed_mesh, 7, 1, {FC_OFFSET_NONE, 3, 0, 0}},
-                                          {fixed_mesh, 5, 16, {FC_OFFSET_EPSILON, 0, 20, 0x3fffffff}}}};
+                                          {fixed_mesh, 7, 1, {FC_OFFSET_NONE, 3, 0, FC_PROFILE_EXACT, 0}},
+                                          {fixed_mesh, 5, 16, {FC_OFFSET_EPSILON, 0, 20, FC_PROFILE_FAST, 0x3fffffff}}}};
 
 /* A frame and its whole picture, made once. */
 struct Reference {
