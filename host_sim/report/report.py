@@ -21,6 +21,15 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/bench"))
 import measured  # noqa: E402 - the bench's own note of what it measured
 
+SYSTEM_PYTHON = "/usr/bin/python3"  # the one that Debian's python3-matplotlib belongs to
+
+
+def by_package(python):
+    """Starts over with the system's Python, where another one comes first in PATH; does not come back then."""
+    if os.access(python, os.X_OK) and os.path.realpath(python) != os.path.realpath(sys.executable):
+        os.execv(python, [python, *sys.argv])
+
+
 TEXT = """# What it costs and how exact it is, measured
 
 Written by `make report` from `make bench`; nothing here is written by hand. The core that was counted: {core}.
@@ -225,6 +234,7 @@ def main():
             try:
                 import plots as pictures
             except ImportError:
+                by_package(SYSTEM_PYTHON)
                 raise bench.Unusable("there is no matplotlib: `.ci/install report` installs it") from None
             pictures.draw(rows, plots)
         text = write(rows, core, oracle_figures(options), plots.name)
