@@ -53,7 +53,7 @@ static FC_COLD uint64_t quotient(uint64_t rest, uint64_t b, uint8_t k, uint8_t n
     /* rest / b = 2 (rest / 2^32) / (b / 2^31) */
     uint32_t digit = fc_mulhi32((uint32_t)(rest >> 32), inverse) >> (-r.e - 33 - k);
     q = (q << k) + digit;
-    rest = (rest << k) - (fc_mul32((uint32_t)b, digit) + ((uint64_t)((uint32_t)(b >> 32) * digit) << 32));
+    rest = (rest << k) - fc_times(b, digit);
   }
   return rest >= b ? q + 1 : q;
 }

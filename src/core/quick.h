@@ -111,7 +111,7 @@ FC_INLINE uint32_t fc_recip_q31(uint32_t m) {
 FC_INLINE uint32_t fc_sqrt_q32(uint32_t m) {
   uint32_t y = fc_rsqrt_q15(m), s = ((m >> 16) * y) >> 15; /* Q16 */
   int32_t rest;
-  if (s > 0xffffu) s = 0xffffu;
+  if (s >> 16) s = 0xffffu;
   rest = fc_to_i32(m - s * s); /* |rest| < 2^32 * 2 * 2^-12.5 */
   /* + rest y / 2: Q32 * Q15 / 2, the factor cut by 2^4 to keep 32 bits */
   return (s << 16) + (uint32_t)(fc_floor_shift32(fc_floor_shift32(rest, 4) * (int32_t)y, 12));

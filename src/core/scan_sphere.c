@@ -126,10 +126,15 @@ static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
   (void)fc_space_search(&space, &reach, add_occluder, &list);
 }
 
+/* 1 + h^2 - 2 s h in Q30 from s - h = e: Q16 * Q15, at least (1 - h)^2 > 2^-8. */
+FC_INLINE uint32_t distance_square(const ball_light *light, uint32_t e) {
+  const uint32_t h = (uint32_t)light->h;
+  return ((uint32_t)light->sum - (((e >> 8) + (h >> 8)) * (h >> 9) >> 6)) << 6;
+}
+
 /* The cosine in Q16 from s - h = e > 0. */
-FC_INLINE uint32_t cosine_of(uint32_t e, uint32_t sum, uint32_t h, uint32_t start) {
-  /* 1 + h^2 - 2 s h: Q16 * Q15, at least (1 - h)^2 > 2^-8 */
-  uint32_t g = (sum - (((e >> 8) + start) * h >> 6)) << 6;
+static uint32_t cosine_of(const ball_light *light, uint32_t e) {
+  uint32_t g = distance_square(light, e);
   uint8_t up = 15;
   while (g < UINT32_C(1) << 30) {
     g <<= 2;
@@ -141,7 +146,7 @@ FC_INLINE uint32_t cosine_of(uint32_t e, uint32_t sum, uint32_t h, uint32_t star
 
 /* 1 / sqrt(1 + h^2 - 2 s h) in Q16, for h up to 1/4. */
 static FC_COLD int32_t inverse_distance(const ball_light *light, uint32_t e) {
-  uint32_t g = ((uint32_t)light->sum - (((e >> 8) + ((uint32_t)light->h >> 8)) * ((uint32_t)light->h >> 9) >> 6)) << 6;
+  uint32_t g = distance_square(light, e);
   /* at least (3/4)^2 in Q30: one shift makes it 2^30 */
   return (int32_t)(g < UINT32_C(1) << 30 ? 2 * fc_rsqrt_q15(g << 2) : fc_rsqrt_q15(g));
 }
@@ -329,16 +334,15 @@ typedef struct facing {
   uint8_t cut, down;
 } facing;
 
-/* v / p times 2^cut 2^31 / 2^16, v within 2^30: a product of 31 and 16 bits. */
-FC_INLINE int32_t over(int32_t v, uint32_t p, uint8_t cut) {
-  uint32_t r = fc_recip_q31(p >> cut);
+/* v r / 2^16 for v within 2^30 and r up to 2^16. */
+FC_INLINE int32_t times_reciprocal(int32_t v, uint32_t r) {
   return fc_floor_shift32(v, 16) * (int32_t)r + (int32_t)((((uint32_t)v & 0xffffu) * r) >> 16);
 }
 
 /* s - h of a pixel, refined. */
 static FC_COLD int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
   uint32_t r = fc_recip_q31(p >> (octave - 15));
-  int32_t s = over(along, p, (uint8_t)(octave - 15));
+  int32_t s = times_reciprocal(along, r);
   /* times 1 + rest with rest = 1 - x r, below 2^-13 */
   int32_t rest = (INT32_C(1) << 30) - (int32_t)fc_mulhi32(p << (31 - octave), r << 15);
   s += fc_floor_shift32(fc_floor_shift32(s, 17) * rest, 13);
@@ -357,7 +361,7 @@ static FC_NOINLINE uint32_t *face_octave(const facing *of, int32_t along, uint32
     uint32_t v = *p;
     int32_t e;
     if (v - low >= low) break;
-    e = fc_floor_shift32(over(along, v, cut), down) - away;
+    e = fc_floor_shift32(times_reciprocal(along, fc_recip_q31(v >> cut)), down) - away;
     if ((uint32_t)e + margin <= 2 * margin) {
       near |= bit;
     } else {
@@ -442,8 +446,7 @@ static FC_NOINLINE void shade_any(const ball_light *light, const fc_tint *tint, 
   const uint32_t whole = (UINT32_C(1) << 24) - (uint32_t)light->h;
   for (; bits != 0; bits >>= 1, to += pixel_bytes, p++)
     if (bits & 1)
-      fc_tint_put(tint, cosine_of(*p > whole ? whole : *p, (uint32_t)light->sum, (uint32_t)light->h >> 9, (uint32_t)light->h >> 8),
-                  to);
+      fc_tint_put(tint, cosine_of(light, *p > whole ? whole : *p), to);
 }
 
 /* Lights the pixels of a row in `bits`, given p of each and in `e` a copy that is used up. */
@@ -631,18 +634,13 @@ static FC_NOINLINE void root_run(const sphere_forms *ball, sphere_row *at, uint3
     if (count < ROOTS) end = to + count;
     count = (uint8_t)(count - (end - to));
     do {
-      uint32_t x = m << 1, y, s;
+      uint32_t x = m << 1;
       uint8_t k = ball->half_lift;
       while (x < UINT32_C(1) << 30) {
         x <<= 2;
         k++;
       }
-      /* fc_sqrt_q32 */
-      y = fc_rsqrt_q15(x);
-      s = ((x >> 16) * y) >> 15;
-      if (s >> 16) s = 0xffffu;
-      x = (uint32_t)fc_floor_shift32(fc_floor_shift32(fc_to_i32(x - s * s), 4) * (int32_t)y, 12) + (s << 16);
-      *to++ = (x >> k) + b;
+      *to++ = (fc_sqrt_q32(x) >> k) + b;
       m += (uint32_t)fc_floor_shift32(dm, fine);
       dm = fc_to_i32((uint32_t)dm + ddm);
       b += b_dx;
