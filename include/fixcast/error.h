@@ -24,7 +24,10 @@ typedef enum fc_error {
   FC_ERR_FORMAT = -14,       /* unknown pixel format, field-of-view rule or shadow rule */
   FC_ERR_DIRECTION = -15,    /* a ray's direction is zero */
   FC_ERR_BVH = -16,          /* a bounding volume hierarchy that was not made for this scene, or is damaged */
-  FC_ERR_PROFILE = -17       /* unknown profile, or a field that is not 0 or 1 */
+  FC_ERR_PROFILE = -17,      /* unknown profile, or a field that is not 0 or 1 */
+  FC_ERR_UNSUPPORTED = -18,  /* a display, panel or bus that cannot do what was asked */
+  FC_ERR_AREA = -19,         /* an area that is empty, off the display or not aligned, or a pitch that is too small for it */
+  FC_ERR_BUS = -20           /* a bus that failed, or did not finish in time; ports with codes of their own return those */
 } fc_error;
 
 /* A sentence for an error code, never NULL; the text is constant and lives as long as the program. */

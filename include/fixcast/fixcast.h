@@ -11,11 +11,14 @@
 #ifndef FIXCAST_H
 #define FIXCAST_H
 
+#include "fixcast/bus.h"
 #include "fixcast/bvh.h"
 #include "fixcast/camera.h"
 #include "fixcast/config.h"
+#include "fixcast/display.h"
 #include "fixcast/error.h"
 #include "fixcast/framebuffer.h"
+#include "fixcast/panel.h"
 #include "fixcast/ray.h"
 #include "fixcast/render.h"
 #include "fixcast/scene.h"
