@@ -53,7 +53,7 @@ std::string c_item(const fc_vec3 &v) {
   return c_vec3(v);
 }
 std::string c_item(const fc_material &m) {
-  return "{" + c_rgb(m.diffuse) + "}";
+  return "{" + c_rgb(m.diffuse) + ", 0, NULL}";
 }
 std::string c_item(const fc_sphere &s) {
   return "{" + c_vec3(s.center) + ", " + c_int(s.radius) + ", " + c_u16(s.material) + ", " + c_u16(s.object) +

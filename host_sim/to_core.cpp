@@ -146,7 +146,7 @@ private:
     if (out_.materials.size() >= 0xffff)
       fail(file_, m.line, "more than 65535 different materials; merge some");
     const auto index = static_cast<std::uint16_t>(out_.materials.size());
-    out_.materials.push_back({q});
+    out_.materials.push_back({q, 0, nullptr});
     material_of_[{q.r, q.g, q.b}] = index;
     return index;
   }

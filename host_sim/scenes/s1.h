@@ -7,7 +7,7 @@
 #include "fixcast/fixcast.h"
 
 static const fc_material s1_materials[] FC_ROM = {
-    {FC_RGB8(224, 64, 48)}, {FC_RGB8(48, 192, 80)}, {FC_RGB8(64, 96, 224)}, {FC_RGB8(192, 192, 176)}};
+    FC_MATTE(FC_RGB8(224, 64, 48)), FC_MATTE(FC_RGB8(48, 192, 80)), FC_MATTE(FC_RGB8(64, 96, 224)), FC_MATTE(FC_RGB8(192, 192, 176))};
 static const fc_sphere s1_spheres[] FC_ROM = {/* centre, radius, material, object */
                                               {FC_VEC3(0, 1, -6), FC_Q16(1), 0, 1},
                                               {FC_VEC3(-1.75, 0.75, -4.5), FC_Q16(0.75), 1, 2},

@@ -18,6 +18,7 @@
 #include "fixcast/display.h"
 #include "fixcast/error.h"
 #include "fixcast/framebuffer.h"
+#include "fixcast/material.h"
 #include "fixcast/panel.h"
 #include "fixcast/ray.h"
 #include "fixcast/render.h"

@@ -12,30 +12,12 @@
 #include <stdint.h>
 
 #include "fixcast/config.h"
+#include "fixcast/material.h"
 #include "fixcast/vec3.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Linear colour, each channel Q1.15: 32768 is 1.0 (SPEC "Light units"). */
-typedef struct fc_rgb {
-  uint16_t r, g, b;
-} fc_rgb;
-
-#define FC_ONE_Q15 UINT16_C(32768)
-/* A channel or colour given in 0..255, rounded to nearest Q1.15. */
-#define FC_CHANNEL8(v) ((uint16_t)(((uint32_t)(v)*32768u + 127u) / 255u))
-#define FC_RGB8(r, g, b) \
-  { FC_CHANNEL8(r), FC_CHANNEL8(g), FC_CHANNEL8(b) }
-/* A grey given as a real constant in 0..1.99: FC_GREY(0.875). */
-#define FC_GREY_CHANNEL(v) ((uint16_t)((v)*32768.0 + 0.5))
-#define FC_GREY(v) \
-  { FC_GREY_CHANNEL(v), FC_GREY_CHANNEL(v), FC_GREY_CHANNEL(v) }
-
-typedef struct fc_material {
-  fc_rgb diffuse; /* reflectance, 0..32768 a channel */
-} fc_material;
 
 /* `material` indexes fc_scene.materials; `object` is the id a pixel reports (0 is the background's). */
 typedef struct fc_sphere {

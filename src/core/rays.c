@@ -15,8 +15,8 @@
 static const int64_t eye[3] = {0, 0, 0}; /* camera space */
 
 /* Shades one pixel; returns its primitive. */
-static uint16_t resolve(const fc_frame *frame, const fc_space *space, uint16_t px, uint16_t py, const uint8_t most[3],
-                        uint8_t level[3], uint16_t *depth, uint32_t *lit) {
+static uint16_t resolve(const fc_frame *frame, const fc_space *space, uint16_t px, uint16_t py, uint64_t radiance_q39[3],
+                        uint16_t *depth, uint32_t *lit) {
   int64_t d[3];
   fc_surface surface;
   uint16_t nearest;
@@ -29,28 +29,27 @@ static uint16_t resolve(const fc_frame *frame, const fc_space *space, uint16_t p
     return NO_PRIMITIVE;
   *depth = fc_depth_code(frame, &surface.root);
   fc_surface_complete(&surface);
-  fc_shade(frame, space, &surface, most, level, lit);
+  fc_shade(frame, space, &surface, radiance_q39, lit);
   return nearest;
 }
 
 FC_COLD int fc_render_rows_by_rays(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
   fc_space space;
   uint16_t px, py;
-  uint8_t most[3], background[4];
+  uint8_t background[4];
   int pixel_bytes = fc_render_check(frame, y, rows, target);
   if (pixel_bytes < 0) return pixel_bytes;
   space = fc_space_of_frame(frame);
-  fc_pixel_most(target->format, most);
   fc_pixel_background(&frame->scene, target->format, background);
   for (py = 0; py < rows; py++) {
     uint8_t *to = (uint8_t *)target->pixels + (size_t)py * target->pitch_bytes;
     for (px = 0; px < frame->width; px++, to += pixel_bytes) {
       size_t at = (size_t)py * frame->width + px;
-      uint8_t level[3];
+      uint64_t radiance_q39[3];
       uint32_t lit;
-      uint16_t primitive = resolve(frame, &space, px, (uint16_t)(y + py), most, level, &target->depth[at], &lit);
+      uint16_t primitive = resolve(frame, &space, px, (uint16_t)(y + py), radiance_q39, &target->depth[at], &lit);
       if (primitive != NO_PRIMITIVE)
-        fc_pixel_put(target->format, level, to);
+        fc_shade_put(frame, radiance_q39, target->format, to);
       else
         memcpy(to, background, (size_t)pixel_bytes);
       if (target->primitive != NULL) target->primitive[at] = primitive;
@@ -82,7 +81,7 @@ FC_COLD int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, 
   fc_space space;
   fc_surface surface;
   int64_t d[3];
-  uint8_t rgb[3];
+  uint64_t radiance_q39[3];
   uint32_t mask;
   uint16_t nearest;
   if (frame == NULL || hit == NULL) return FC_ERR_NULL;
@@ -105,8 +104,7 @@ FC_COLD int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, 
   fc_view_to_world(&frame->view, fc_root_value(&surface.root), d, &hit->position);
   rotate_to_world(&frame->view, &hit->normal_q30);
   if (lit != NULL) {
-    static const uint8_t most[3] = {255, 255, 255};
-    fc_shade(frame, &space, &surface, most, rgb, &mask);
+    fc_shade(frame, &space, &surface, radiance_q39, &mask);
     *lit = mask;
   }
   return 1;

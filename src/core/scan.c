@@ -347,13 +347,13 @@ FC_COLD void fc_scan_shade_slowly(const fc_scan *scan, uint16_t row, uint16_t co
   for (; bits != 0; bits >>= 1, column++, at++) {
     fc_surface surface;
     int64_t d[3];
-    uint8_t level[3];
+    uint64_t radiance_q39[3];
     uint32_t lit;
     if (!(bits & 1)) continue;
     if (scan->light == FC_LIGHT_ONE) FC_TALLY(FC_DECIDE_LIT, true); /* elsewhere no form promises to */
     surface_at(scan, row, column, d, &surface);
-    fc_shade(scan->frame, &space, &surface, scan->tint.most, level, &lit);
-    fc_pixel_put(scan->target->format, level, fc_scan_pixel(scan, row, column));
+    fc_shade(scan->frame, &space, &surface, radiance_q39, &lit);
+    fc_shade_put(scan->frame, radiance_q39, scan->target->format, fc_scan_pixel(scan, row, column));
     if (scan->target->lit != NULL) scan->target->lit[at] = lit;
   }
 }
@@ -425,8 +425,8 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
 #else
   material = frame->scene.materials[scan->form->material];
 #endif
-  scan->light = frame->light;
-  if (frame->light == FC_LIGHT_NONE && flat_tint(frame, tint, &material, scan->target->format)) return;
+  scan->light = material.layer_count == 0 ? frame->light : FC_LIGHT_MANY;
+  if (scan->light == FC_LIGHT_NONE && flat_tint(frame, tint, &material, scan->target->format)) return;
   diffuse[0] = material.diffuse.r;
   diffuse[1] = material.diffuse.g;
   diffuse[2] = material.diffuse.b;

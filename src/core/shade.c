@@ -2,6 +2,7 @@
 #include "shade.h"
 
 #include "bits.h"
+#include "layer.h"
 #include "pixel.h"
 #include "view.h"
 
@@ -45,31 +46,61 @@ FC_COLD void fc_surface_offset(const fc_surface *surface, int rule, int64_t epsi
   }
 }
 
-/* cos (n, L - P), divided by the squared distance in world units when the light falls off, times 2^24: within 2^-22 of it. */
-static FC_COLD uint32_t irradiance_q24(const fc_frame *frame, const fc_surface *surface, const fc_light *light,
-                                       const int64_t position[3]) {
-  int64_t v[3], n[3], along;
-  uint8_t i, v_shift;
-  fc_quick inverse, value;
-  for (i = 0; i < 3; i++) v[i] = position[i] - surface->point[i];
-  v_shift = fc_shrink(v, v);
-  (void)fc_shrink(surface->normal, n);
-  along = fc_dot(n, v);
-  if (surface->inside) along = -along;
-  if (along <= 0) return 0; /* grazing, and the rounded vectors say so */
-  inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_dot(v, v), 0));
-  value = fc_quick_mul(fc_quick_from((uint64_t)along, 0), inverse);
-  value = fc_quick_mul(value, fc_quick_rsqrt(fc_quick_from((uint64_t)fc_dot(n, n), 0)));
+FC_COLD fc_quick fc_inverse_length(const int64_t v[3]) {
+  const uint64_t square = (uint64_t)fc_dot(v, v);
+  const fc_quick none = {0, 0};
+  return square == 0 ? none : fc_quick_rsqrt(fc_quick_from(square, 0));
+}
+
+/* The light at hand: its direction and strength; returns cos (n, L - P) times 2^24, and by the squared distance in world units
+ * when it falls off: within 2^-22 of it. */
+static FC_COLD uint32_t irradiance_q24(fc_shading *shading, const fc_light *light, const int64_t position[3]) {
+  const fc_frame *frame = shading->frame;
+  int64_t along;
+  uint8_t i, shift;
+  fc_quick inverse, value, strength;
+  for (i = 0; i < 3; i++) shading->light.to[i] = position[i] - shading->surface->point[i];
+  shift = fc_shrink(shading->light.to, shading->light.to);
+  inverse = fc_inverse_length(shading->light.to);
+  shading->light.to_scale = inverse;
+  fc_channels(&light->intensity, shading->light.colour);
+  strength = fc_quick_from(1, light->intensity_exponent);
   if (light->inverse_square) {
-    int16_t unit = (int16_t)(frame->view.shift - frame->view.fine + frame->scene.exponent - 16 + v_shift);
-    value = fc_quick_scale(fc_quick_mul(value, fc_quick_mul(inverse, inverse)), (int16_t)(-2 * unit));
+    int16_t unit = (int16_t)(frame->view.shift - frame->view.fine + frame->scene.exponent - 16 + shift);
+    strength = fc_quick_mul(strength, fc_quick_scale(fc_quick_mul(inverse, inverse), (int16_t)(-2 * unit)));
   }
-  value.e = (int16_t)(value.e + 24 + light->intensity_exponent);
+  shading->light.strength = strength;
+  along = fc_dot(shading->normal, shading->light.to);
+  if (along <= 0) return 0; /* grazing, and the rounded vectors say so */
+  value = fc_quick_mul(fc_quick_from((uint64_t)along, 0), inverse);
+  value = fc_quick_mul(fc_quick_mul(value, shading->normal_scale), strength);
+  value.e += 24;
   return value.e > 0 ? UINT32_MAX : (uint32_t)fc_quick_to_u64(value);
+}
+
+/* A light from a point that a mirror shows: from the rounded point, stepped off its surface. */
+static FC_COLD bool reaches_rounded(const fc_space *space, const fc_surface *surface, const int64_t position[3]) {
+  fc_segment segment;
+  fc_i128 along;
+  int64_t n[3], to[3];
+  uint8_t i;
+  for (i = 0; i < 3; i++) segment.light[i] = position[i];
+  segment.root = NULL;
+  segment.direction = NULL;
+  segment.outside = false; /* rounded, it may have slipped through */
+  segment.point_error = 0;
+  fc_surface_offset(surface, FC_OFFSET_RESIDUAL, 0, segment.point);
+  fc_kind_of(&surface->at)->normal(&surface->form, segment.point, n);
+  for (i = 0; i < 3; i++) to[i] = position[i] - segment.point[i];
+  along = fc_i128_dot(n, to);
+  if (fc_i128_sign(along) != (surface->inside ? -1 : 1)) return false;
+  fc_segment_prepare(&segment);
+  return !fc_space_blocked(space, &segment, FC_PRIMITIVES_MAX);
 }
 
 FC_COLD bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const int64_t position[3]) {
   fc_segment segment;
+  if ((surface->origin[0] | surface->origin[1] | surface->origin[2]) != 0) return reaches_rounded(space, surface, position);
   fc_segment_from(&segment, &surface->root, surface->direction, position);
   if (!fc_kind_of(&surface->at)->facing(&surface->form, &segment)) return false;
   if (frame->options.offset_rule == FC_OFFSET_EXACT) return !fc_space_blocked(space, &segment, surface->primitive);
@@ -81,22 +112,62 @@ FC_COLD bool fc_light_reaches(const fc_frame *frame, const fc_space *space, cons
   return !fc_space_blocked(space, &segment, FC_PRIMITIVES_MAX);
 }
 
-FC_COLD void fc_shade(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const uint8_t most[3],
-              uint8_t level[3], uint32_t *lit) {
-  /* light arriving a channel, Q39: 16 + 32 bits a light, 65535 lights and ambient: below 2^64 */
-  uint64_t sum[3];
-  fc_material material;
-  const fc_scene *scene = &frame->scene;
+/* ---- layers ---- */
+
+FC_COLD void fc_radiance_add(uint64_t radiance_q39[3], const uint16_t weight[3], const uint64_t more_q39[3]) {
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    /* 48 + 16 bits fit; sums below 2^49 + 2^48 */
+    uint64_t more = more_q39[i] > FC_RADIANCE_MAX - 1 ? FC_RADIANCE_MAX - 1 : more_q39[i];
+    radiance_q39[i] += (more * weight[i] + (1u << 14)) >> 15;
+    if (radiance_q39[i] > FC_RADIANCE_MAX) radiance_q39[i] = FC_RADIANCE_MAX;
+  }
+}
+
+FC_COLD const void *fc_layer_data(const fc_material *material, const fc_layer_kind *kind) {
   uint16_t i;
+  for (i = 0; i < material->layer_count; i++) {
+    fc_layer layer;
+    FC_READ(&layer, material->layers + i, sizeof layer);
+    if (layer.kind == kind) return layer.data;
+  }
+  return NULL;
+}
+
+FC_COLD void fc_layers_apply(fc_shading *shading, uint8_t which) {
+  uint16_t i;
+  for (i = 0; i < shading->material.layer_count; i++) {
+    fc_layer layer;
+    fc_layer_kind kind;
+    void (*act)(fc_shading *, const void *);
+    FC_READ(&layer, shading->material.layers + i, sizeof layer);
+    FC_READ(&kind, layer.kind, sizeof kind);
+    act = which == FC_LAYER_SURFACE ? kind.surface : which == FC_LAYER_LIGHT ? kind.light : kind.follow;
+    if (act != NULL) act(shading, layer.data);
+  }
+}
+
+/* ---- a point ---- */
+
+FC_COLD void fc_shading_light(fc_shading *shading, const fc_frame *frame, const fc_space *space, const fc_surface *surface,
+                              uint32_t *lit) {
+  const fc_scene *scene = &frame->scene;
+  uint16_t ambient[3], i;
   uint8_t j;
-  uint16_t diffuse[3];
-  FC_READ(&material, scene->materials + surface->form.material, sizeof material);
-  diffuse[0] = material.diffuse.r;
-  diffuse[1] = material.diffuse.g;
-  diffuse[2] = material.diffuse.b;
-  sum[0] = (uint64_t)scene->ambient.r << 24;
-  sum[1] = (uint64_t)scene->ambient.g << 24;
-  sum[2] = (uint64_t)scene->ambient.b << 24;
+  shading->frame = frame;
+  shading->space = space;
+  shading->surface = surface;
+  FC_READ(&shading->material, scene->materials + surface->form.material, sizeof shading->material);
+  fc_channels(&shading->material.diffuse, shading->diffuse);
+  fc_channels(&scene->ambient, ambient);
+  (void)fc_shrink(surface->normal, shading->normal);
+  for (j = 0; j < 3; j++) {
+    if (surface->inside) shading->normal[j] = -shading->normal[j];
+    shading->arriving[j] = (uint64_t)ambient[j] << 24;
+    shading->added[j] = 0;
+  }
+  fc_layers_apply(shading, FC_LAYER_SURFACE);
+  shading->normal_scale = fc_inverse_length(shading->normal);
   *lit = 0;
   for (i = 0; i < scene->light_count; i++) {
     fc_light light;
@@ -105,13 +176,46 @@ FC_COLD void fc_shade(const fc_frame *frame, const fc_space *space, const fc_sur
     if (!fc_light_reaches(frame, space, surface, position)) continue;
     *lit |= UINT32_C(1) << (i < 31 ? i : 31);
     FC_READ(&light, scene->lights + i, sizeof light);
-    q24 = irradiance_q24(frame, surface, &light, position);
-    sum[0] += (uint64_t)light.intensity.r * q24;
-    sum[1] += (uint64_t)light.intensity.g * q24;
-    sum[2] += (uint64_t)light.intensity.b * q24;
+    q24 = irradiance_q24(shading, &light, position);
+    for (j = 0; j < 3; j++) shading->arriving[j] += (uint64_t)shading->light.colour[j] * q24;
+    fc_layers_apply(shading, FC_LAYER_LIGHT);
   }
-  for (j = 0; j < 3; j++) {
-    uint64_t q24 = (sum[j] + (1u << 14)) >> 15;
-    level[j] = fc_pixel_level(diffuse[j], most[j], q24 > UINT32_MAX ? UINT32_MAX : (uint32_t)q24);
+}
+
+FC_COLD void fc_shading_radiance(const fc_shading *shading, uint64_t radiance_q39[3]) {
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    uint64_t q24 = (shading->arriving[i] + (1u << 14)) >> 15;
+    if (q24 > UINT32_MAX) q24 = UINT32_MAX;
+    /* 16 + 32 bits, and what layers add */
+    radiance_q39[i] = shading->diffuse[i] * q24 + shading->added[i];
+    if (radiance_q39[i] > FC_RADIANCE_MAX) radiance_q39[i] = FC_RADIANCE_MAX;
   }
+}
+
+FC_COLD void fc_shade(const fc_frame *frame, const fc_space *space, const fc_surface *surface, uint64_t radiance_q39[3],
+                      uint32_t *lit) {
+  fc_shading shading;
+  fc_shading_light(&shading, frame, space, surface, lit);
+  fc_layers_apply(&shading, FC_LAYER_FOLLOW);
+  fc_shading_radiance(&shading, radiance_q39);
+}
+
+FC_COLD void fc_shade_background(const fc_frame *frame, uint64_t radiance_q39[3]) {
+  uint16_t colour[3];
+  uint8_t i;
+  fc_channels(&frame->scene.background, colour);
+  for (i = 0; i < 3; i++) radiance_q39[i] = (uint64_t)colour[i] << 24;
+}
+
+FC_COLD void fc_shade_put(const fc_frame *frame, const uint64_t radiance_q39[3], uint8_t format, uint8_t *to) {
+  uint8_t most[3], level[3], i;
+  (void)frame;
+  fc_pixel_most(format, most);
+  for (i = 0; i < 3; i++) {
+    /* 48 + 8 bits */
+    uint64_t v = (radiance_q39[i] * most[i] + (UINT64_C(1) << 38)) >> 39;
+    level[i] = v > most[i] ? most[i] : (uint8_t)v;
+  }
+  fc_pixel_put(format, level, to);
 }

@@ -3,6 +3,7 @@
 
 #include "bits.h"
 #include "fixcast/error.h"
+#include "layer.h"
 #include "search.h"
 
 FC_COLD void fc_cursor_start(fc_cursor *cursor, const fc_space *space) {
@@ -48,6 +49,24 @@ static int check_light(const fc_scene *scene, uint16_t index) {
   return FC_OK;
 }
 
+static FC_COLD int check_material(const fc_scene *scene, uint16_t index) {
+  fc_material material;
+  uint16_t i;
+  FC_READ(&material, scene->materials + index, sizeof material);
+  if (material.layer_count > FC_LAYERS_MAX || (material.layers == NULL && material.layer_count > 0)) return FC_ERR_MATERIAL;
+  for (i = 0; i < material.layer_count; i++) {
+    fc_layer layer;
+    fc_layer_kind kind;
+    int error;
+    FC_READ(&layer, material.layers + i, sizeof layer);
+    if (layer.kind == NULL || layer.data == NULL) return FC_ERR_MATERIAL;
+    FC_READ(&kind, layer.kind, sizeof kind);
+    error = kind.check(layer.data);
+    if (error != FC_OK) return error;
+  }
+  return FC_OK;
+}
+
 FC_COLD int fc_scene_check_tables(const fc_scene *scene) {
   uint32_t primitives = 0;
   uint16_t i;
@@ -71,6 +90,10 @@ FC_COLD int fc_scene_check_tables(const fc_scene *scene) {
   }
   for (i = 0; i < scene->light_count; i++) {
     int error = check_light(scene, i);
+    if (error != FC_OK) return error;
+  }
+  for (i = 0; i < scene->material_count; i++) {
+    int error = check_material(scene, i);
     if (error != FC_OK) return error;
   }
   return FC_OK;

@@ -20,7 +20,7 @@
 
 enum { SIZE = 48, LIGHTS = 24, FACES = 320, VERTICES = 162 };
 
-static const fc_material materials[] = {{FC_RGB8(255, 255, 255)}};
+static const fc_material materials[] = {FC_MATTE(FC_RGB8(255, 255, 255))};
 static fc_sphere sphere;
 static fc_vec3 vertices[VERTICES];
 static fc_triangle faces[FACES];
@@ -155,15 +155,14 @@ static int look(uint8_t rule, unsigned long *facing, unsigned long *dark) {
     for (x = 0; x < SIZE; x++) {
       int64_t d[3];
       fc_surface surface;
-      static const uint8_t most[3] = {255, 255, 255};
-      uint8_t rgb[3];
+      uint64_t radiance_q39[3];
       uint32_t lit;
       uint16_t nearest;
       fc_view_direction(&frame, x, y, d);
       nearest = fc_space_nearest(&space, eye, d, 0, UINT64_MAX, NULL);
       if (nearest == FC_PRIMITIVES_MAX || !fc_surface_meet(&surface, &space, nearest, eye, d)) continue;
       fc_surface_complete(&surface);
-      fc_shade(&frame, &space, &surface, most, rgb, &lit);
+      fc_shade(&frame, &space, &surface, radiance_q39, &lit);
       for (i = 0; i < LIGHTS; i++) {
         fc_segment segment;
         memset(&segment, 0, sizeof segment);

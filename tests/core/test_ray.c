@@ -12,7 +12,7 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-static const fc_material materials[] = {{{FC_ONE_Q15, FC_ONE_Q15, FC_ONE_Q15}}};
+static const fc_material materials[] = {FC_MATTE(FC_WHITE)};
 static fc_sphere spheres[2];
 static fc_plane planes[2];
 static fc_vec3 vertices[3];

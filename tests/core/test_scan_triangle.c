@@ -22,7 +22,7 @@ enum { PART = 1 };
 static fc_triangle triangles[TRIANGLES];
 static fc_plane ground;
 static fc_light lamp;
-static fc_material materials[3] = {{FC_RGB8(200, 100, 50)}, {FC_RGB8(20, 220, 90)}, {FC_RGB8(90, 90, 250)}};
+static fc_material materials[3] = {FC_MATTE(FC_RGB8(200, 100, 50)), FC_MATTE(FC_RGB8(20, 220, 90)), FC_MATTE(FC_RGB8(90, 90, 250))};
 static fc_shapes shapes[2];
 static fc_scene scene;
 static fc_camera camera;

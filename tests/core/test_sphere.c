@@ -8,7 +8,7 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-static const fc_material materials[] = {{{FC_ONE_Q15, FC_ONE_Q15, FC_ONE_Q15}}};
+static const fc_material materials[] = {FC_MATTE(FC_WHITE)};
 static fc_sphere sphere;
 static fc_shapes shapes;
 static fc_scene scene;

@@ -12,7 +12,7 @@ void tearDown(void) {}
 
 enum { MOST = 12 };
 
-static const fc_material materials[] = {{{FC_ONE_Q15, FC_ONE_Q15, FC_ONE_Q15}}};
+static const fc_material materials[] = {FC_MATTE(FC_WHITE)};
 static fc_vec3 vertices[MOST + 1];
 static fc_triangle triangles[MOST];
 static fc_shapes shapes;

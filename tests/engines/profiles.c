@@ -32,7 +32,7 @@ SCENES
 #undef X
 
 /* What fast forms leave to the ray engine: a triangle that reaches behind the eye, a sphere around it, a plane through it. */
-static const fc_material odd_materials[] FC_ROM = {{FC_RGB8(224, 64, 48)}, {FC_RGB8(48, 192, 80)}};
+static const fc_material odd_materials[] FC_ROM = {FC_MATTE(FC_RGB8(224, 64, 48)), FC_MATTE(FC_RGB8(48, 192, 80))};
 static const fc_vec3 odd_vertices[] FC_ROM = {FC_VEC3(-3, -1, 2), FC_VEC3(4, -1, -9), FC_VEC3(-5, 2, -9)};
 static const fc_triangle odd_triangles[] FC_ROM = {{{0, 1, 2}, 0, 1}};
 static const fc_sphere odd_spheres[] FC_ROM = {{FC_VEC3(0, 0, 1), FC_Q16(20), 1, 2}};

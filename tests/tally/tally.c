@@ -96,7 +96,7 @@ static void test_scan_engine_leaves_little_open(void) {
 
 /* ---- scenes of ties, seen from the origin along -z with F = 128 half pixels ---- */
 
-static const fc_material materials[] = {{FC_RGB8(200, 200, 200)}};
+static const fc_material materials[] = {FC_MATTE(FC_RGB8(200, 200, 200))};
 static const fc_camera camera = {.target = FC_VEC3(0, 0, -1),
                                  .up = {0, 1, 0},
                                  .tan_half_fov_numerator = 1,

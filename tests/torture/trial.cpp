@@ -10,7 +10,7 @@
 using oracle::Q;
 using oracle::Z;
 
-static const fc_material white = {{FC_ONE_Q15, FC_ONE_Q15, FC_ONE_Q15}};
+static const fc_material white = {{FC_ONE_Q15, FC_ONE_Q15, FC_ONE_Q15}, 0, NULL};
 
 static std::string vprint(const char *format, va_list arguments) {
   char buffer[4096];
