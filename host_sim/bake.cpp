@@ -69,7 +69,7 @@ std::string c_item(const fc_triangle &t) {
 }
 std::string c_item(const fc_light &l) {
   return "{" + c_vec3(l.position) + ", " + c_rgb(l.intensity) + ", " + c_int(l.exponent) + ", " +
-         c_int(l.intensity_exponent) + ", " + c_int(l.inverse_square) + "}";
+         c_int(l.intensity_exponent) + ", " + c_int(l.inverse_square) + ", " + c_int(l.directional) + "}";
 }
 
 /* One table, and a blank line; nothing when it would be empty, which C does not allow. */
@@ -190,7 +190,7 @@ std::string bake(const CoreScene &core, std::size_t frame_memory_bytes, const st
   }
   text += c_table("fc_material", name + "_materials", "diffuse, Q1.15", core.materials);
   text += c_table("fc_light", name + "_lights",
-                  "position, intensity, exponent, intensity_exponent, inverse_square", core.lights);
+                  "position, intensity, exponent, intensity_exponent, inverse_square, directional", core.lights);
   text += c_shapes(name, core);
   text += c_bvh(name, core);
   text += "const fc_scene " + name + " FC_ROM = {\n";

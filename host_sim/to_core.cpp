@@ -299,7 +299,7 @@ private:
   template <typename T>
   void add_table(const fc_kind *kind, const std::vector<T> &table) {
     if (table.empty()) return;
-    out_.shapes.push_back({kind, table.data(), nullptr, static_cast<std::uint16_t>(table.size()), 0, 0});
+    out_.shapes.push_back({kind, table.data(), nullptr, static_cast<std::uint16_t>(table.size()), 0, nullptr, nullptr, 0});
   }
 
   void finish_scene() {
@@ -307,8 +307,8 @@ private:
     add_table(&fc_kind_plane, out_.planes);
     for (const TriangleTable &table : out_.triangle_tables)
       out_.shapes.push_back({&fc_kind_triangle, out_.triangles.data() + table.triangle, out_.vertices.data() + table.vertex,
-                             static_cast<std::uint16_t>(table.triangles), static_cast<std::uint16_t>(table.vertices),
-                             static_cast<std::uint8_t>(table.closed)});
+                             static_cast<std::uint16_t>(table.triangles), static_cast<std::uint16_t>(table.vertices), nullptr,
+                             nullptr, static_cast<std::uint8_t>(table.closed)});
     fc_scene &scene = out_.scene;
     scene.shapes = out_.shapes.data();
     scene.shape_count = static_cast<std::uint16_t>(out_.shapes.size());

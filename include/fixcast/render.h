@@ -14,6 +14,7 @@
 #include "fixcast/framebuffer.h"
 #include "fixcast/ray.h"
 #include "fixcast/scene.h"
+#include "fixcast/transfer.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -37,6 +38,7 @@ typedef struct fc_options {
   int8_t epsilon_exponent; /* -31..31 */
   uint8_t profile;       /* fc_profile */
   int32_t epsilon;       /* FC_OFFSET_EPSILON: epsilon * 2^epsilon_exponent world coordinates; 0..FC_COORDINATE_MAX */
+  const fc_transfer *transfer; /* what the display makes of a level; NULL: levels are proportional to light */
 } fc_options;
 
 /* World to camera: right, up, forward as rows, and where the eye is. Private. */

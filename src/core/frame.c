@@ -59,12 +59,25 @@ static FC_COLD void place_shapes(const fc_frame *frame, unsigned char *memory) {
   while (fc_cursor_next(&cursor)) fc_kind_of(&cursor)->place(&frame->view, &cursor.group.shapes, memory + cursor.bytes);
 }
 
+/* A directional light: about 2^60 units away from the eye. */
+static FC_COLD void place_far(const fc_view *view, const fc_vec3 *towards, int64_t to[3]) {
+  int64_t v[3];
+  uint8_t i, up;
+  (void)fc_load(towards, v);
+  up = (uint8_t)(30 - fc_vector_bits(v));
+  for (i = 0; i < 3; i++) v[i] *= INT64_C(1) << up;
+  /* rows are unit vectors in Q30, v up to 2^30 sqrt 3: below 2^61 */
+  for (i = 0; i < 3; i++) to[i] = view->row[i][0] * v[0] + view->row[i][1] * v[1] + view->row[i][2] * v[2];
+}
+
 static FC_COLD int place_lights(const fc_frame *frame, int64_t *to) {
   uint16_t i;
   for (i = 0; i < frame->scene.light_count; i++) {
     fc_light light;
     FC_READ(&light, frame->scene.lights + i, sizeof light);
-    if (!fc_view_point(&frame->view, &light.position, light.exponent, to + 3 * (size_t)i)) return FC_ERR_LIGHT;
+    if (light.directional)
+      place_far(&frame->view, &light.position, to + 3 * (size_t)i);
+    else if (!fc_view_point(&frame->view, &light.position, light.exponent, to + 3 * (size_t)i)) return FC_ERR_LIGHT;
   }
   return FC_OK;
 }

@@ -6,6 +6,7 @@
 
 static FC_COLD int check(const void *data) {
   fc_mirror mirror;
+  if (data == NULL) return FC_ERR_MATERIAL;
   FC_READ(&mirror, data, sizeof mirror);
   if (mirror.bounces < 1 || mirror.bounces > FC_BOUNCES_MAX) return FC_ERR_MATERIAL;
   return mirror.reflectance.r > FC_ONE_Q15 || mirror.reflectance.g > FC_ONE_Q15 || mirror.reflectance.b > FC_ONE_Q15
@@ -56,7 +57,7 @@ static FC_COLD void follow(fc_shading *first, const void *data) {
     nearest = fc_space_nearest(first->space, origin, direction, 0, UINT64_MAX, NULL);
     if (nearest == FC_PRIMITIVES_MAX || !fc_surface_meet(&surface, first->space, nearest, origin, direction) ||
         fc_too_far(frame, &surface.root, direction)) {
-      fc_shade_background(frame, radiance_q39);
+      fc_shade_background(frame, direction, radiance_q39);
       fc_radiance_add(first->added, weight, radiance_q39);
       return;
     }

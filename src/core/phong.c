@@ -5,6 +5,7 @@
 
 static FC_COLD int check(const void *data) {
   fc_phong phong;
+  if (data == NULL) return FC_ERR_MATERIAL;
   FC_READ(&phong, data, sizeof phong);
   return phong.shininess_q4 == 0 ? FC_ERR_MATERIAL : FC_OK;
 }

@@ -7,6 +7,7 @@
 #include "fixcast/error.h"
 #include "pixel.h"
 #include "shade.h"
+#include "sky.h"
 #include "tally.h"
 
 /* ---- one pixel, by the ray engine ---- */
@@ -327,8 +328,13 @@ void fc_scan_unlit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t 
 FC_COLD void fc_tint_put_any(const fc_tint *tint, uint32_t cosine, uint8_t *to) {
   uint8_t level[3], i;
   for (i = 0; i < 3; i++) {
-    uint32_t v = fc_tint_level(tint, i, cosine);
-    level[i] = v > tint->most[i] ? tint->most[i] : (uint8_t)v;
+    if (tint->transfer != NULL) {
+      /* 31 bits: 255 levels with FC_TINT_BITS of fraction are light in Q23 times 255 */
+      level[i] = fc_pixel_transfer(tint->transfer, tint->base[i] + tint->slope[i] * cosine, 255, tint->most[i]);
+    } else {
+      uint32_t v = fc_tint_level(tint, i, cosine);
+      level[i] = v > tint->most[i] ? tint->most[i] : (uint8_t)v;
+    }
   }
   fc_pixel_put(tint->format, level, to);
 }
@@ -426,7 +432,8 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
   material = frame->scene.materials[scan->form->material];
 #endif
   scan->light = material.layer_count == 0 ? frame->light : FC_LIGHT_MANY;
-  if (scan->light == FC_LIGHT_NONE && flat_tint(frame, tint, &material, scan->target->format)) return;
+  tint->transfer = frame->options.transfer;
+  if (scan->light == FC_LIGHT_NONE && tint->transfer == NULL && flat_tint(frame, tint, &material, scan->target->format)) return;
   diffuse[0] = material.diffuse.r;
   diffuse[1] = material.diffuse.g;
   diffuse[2] = material.diffuse.b;
@@ -435,13 +442,19 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
   ambient[2] = frame->scene.ambient.b;
   tint->clamp = false;
   for (i = 0; i < 3; i++) {
-    uint32_t unlit = levels(diffuse[i], ambient[i], tint->most[i], 0), most = (uint32_t)tint->most[i] << FC_TINT_BITS;
+    const uint8_t top = tint->transfer != NULL ? 255 : tint->most[i];
+    uint32_t unlit = levels(diffuse[i], ambient[i], top, 0), most = (uint32_t)top << FC_TINT_BITS;
     if (unlit > most) unlit = most;
-    tint->base[i] = unlit + (UINT32_C(1) << (FC_TINT_BITS - 1));
-    level[i] = (uint8_t)(tint->base[i] >> FC_TINT_BITS);
+    if (tint->transfer != NULL) {
+      tint->base[i] = unlit;
+      level[i] = fc_pixel_transfer(tint->transfer, unlit, 255, tint->most[i]);
+    } else {
+      tint->base[i] = unlit + (UINT32_C(1) << (FC_TINT_BITS - 1));
+      level[i] = (uint8_t)(tint->base[i] >> FC_TINT_BITS);
+    }
     if (frame->light == FC_LIGHT_ONE) {
       /* the cosine's 16 bits come off the slope; its half lost is 2^-8 level */
-      uint32_t slope = levels(diffuse[i], frame->light_level[i], tint->most[i], 15);
+      uint32_t slope = levels(diffuse[i], frame->light_level[i], top, 15);
       slope = (slope + 1) >> 1;
       if (slope >= UINT32_C(0x8000)) {
         scan->light = FC_LIGHT_MANY; /* too bright for 32 bits */
@@ -451,7 +464,7 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
       if (tint->base[i] + (slope << 16) >= most + (UINT32_C(1) << FC_TINT_BITS)) tint->clamp = true;
     }
   }
-  tint->plain = !tint->clamp && tint->format == FC_RGB565_BE;
+  tint->plain = !tint->clamp && tint->format == FC_RGB565_BE && tint->transfer == NULL;
   fc_pixel_put(scan->target->format, level, tint->unlit);
 }
 
@@ -499,26 +512,35 @@ static FC_HOT void fill_pairs(uint8_t *to, size_t bytes, const uint8_t pattern[4
   }
 }
 
-FC_COLD void fc_strip_clear(const fc_frame *frame, uint16_t rows, const fc_target *target) {
-  static const uint8_t zero[4] = {0, 0, 0, 0}, ones[4] = {0xff, 0xff, 0xff, 0xff};
-  size_t pixels = (size_t)rows * frame->width;
-  uint16_t x, y;
-  uint8_t bytes[4];
+/* Pixels of the background's bytes. */
+static FC_COLD void fill_background(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
   const uint8_t pixel_bytes = target->format == FC_RGB888 ? 3 : 2;
-  fc_pixel_background(&frame->scene, pixel_bytes == 3 ? FC_RGB888 : FC_RGB565_BE, bytes);
-  fill_pairs((uint8_t *)target->depth, 2 * pixels, zero);
-  if (target->primitive != NULL) fill_pairs((uint8_t *)target->primitive, 2 * pixels, ones);
-  if (target->lit != NULL) fill_pairs((uint8_t *)target->lit, 4 * pixels, zero);
+  const uint8_t format = pixel_bytes == 3 ? FC_RGB888 : FC_RGB565_BE; /* as fc_strip_finish wants it */
+  uint64_t radiance_q39[3];
+  uint16_t x, row;
+  uint8_t bytes[4];
+  if (frame->scene.sky != NULL) {
+    fc_target drawn = *target;
+    fc_sky sky;
+    fc_sky_kind kind;
+    FC_READ(&sky, frame->scene.sky, sizeof sky);
+    FC_READ(&kind, sky.kind, sizeof kind);
+    drawn.format = format;
+    kind.fill(frame, &sky, y, rows, &drawn);
+    return;
+  }
+  fc_shade_background(frame, NULL, radiance_q39);
+  fc_shade_put(frame, radiance_q39, format, bytes);
   if (pixel_bytes == 2) {
     bytes[2] = bytes[0];
     bytes[3] = bytes[1];
   }
   if (pixel_bytes == 2 && target->pitch_bytes == 2 * (size_t)frame->width) {
-    fill_pairs((uint8_t *)target->pixels, 2 * pixels, bytes);
+    fill_pairs((uint8_t *)target->pixels, 2 * (size_t)rows * frame->width, bytes);
     return;
   }
-  for (y = 0; y < rows; y++) {
-    uint8_t *to = (uint8_t *)target->pixels + y * target->pitch_bytes;
+  for (row = 0; row < rows; row++) {
+    uint8_t *to = (uint8_t *)target->pixels + row * target->pitch_bytes;
     if (pixel_bytes == 2) {
       fill_pairs(to, 2 * (size_t)frame->width, bytes);
       continue;
@@ -529,6 +551,15 @@ FC_COLD void fc_strip_clear(const fc_frame *frame, uint16_t rows, const fc_targe
       to[2] = bytes[2];
     }
   }
+}
+
+FC_COLD void fc_strip_clear(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+  static const uint8_t zero[4] = {0, 0, 0, 0}, ones[4] = {0xff, 0xff, 0xff, 0xff};
+  size_t pixels = (size_t)rows * frame->width;
+  fill_pairs((uint8_t *)target->depth, 2 * pixels, zero);
+  if (target->primitive != NULL) fill_pairs((uint8_t *)target->primitive, 2 * pixels, ones);
+  if (target->lit != NULL) fill_pairs((uint8_t *)target->lit, 4 * pixels, zero);
+  fill_background(frame, y, rows, target);
 }
 
 FC_COLD int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
@@ -594,7 +625,7 @@ FC_COLD void fc_strip_draw(const fc_frame *frame, uint16_t y, uint16_t rows, con
 FC_COLD int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
   int pixel_bytes = fc_render_check(frame, y, rows, target);
   if (pixel_bytes < 0) return pixel_bytes;
-  fc_strip_clear(frame, rows, target);
+  fc_strip_clear(frame, y, rows, target);
   fc_strip_draw(frame, y, rows, target, FC_SKIP_NONE);
   fc_strip_finish(frame, rows, target);
   return FC_OK;

@@ -4,6 +4,7 @@
 #include "bits.h"
 #include "layer.h"
 #include "pixel.h"
+#include "sky.h"
 #include "view.h"
 
 FC_COLD void fc_surface_offset(const fc_surface *surface, int rule, int64_t epsilon, int64_t point[3]) {
@@ -201,21 +202,24 @@ FC_COLD void fc_shade(const fc_frame *frame, const fc_space *space, const fc_sur
   fc_shading_radiance(&shading, radiance_q39);
 }
 
-FC_COLD void fc_shade_background(const fc_frame *frame, uint64_t radiance_q39[3]) {
+FC_COLD void fc_shade_background(const fc_frame *frame, const int64_t direction[3], uint64_t radiance_q39[3]) {
   uint16_t colour[3];
   uint8_t i;
+  if (frame->scene.sky != NULL) {
+    fc_sky sky;
+    fc_sky_kind kind;
+    FC_READ(&sky, frame->scene.sky, sizeof sky);
+    FC_READ(&kind, sky.kind, sizeof kind);
+    kind.radiance(frame, &sky, direction, radiance_q39);
+    return;
+  }
   fc_channels(&frame->scene.background, colour);
   for (i = 0; i < 3; i++) radiance_q39[i] = (uint64_t)colour[i] << 24;
 }
 
 FC_COLD void fc_shade_put(const fc_frame *frame, const uint64_t radiance_q39[3], uint8_t format, uint8_t *to) {
   uint8_t most[3], level[3], i;
-  (void)frame;
   fc_pixel_most(format, most);
-  for (i = 0; i < 3; i++) {
-    /* 48 + 8 bits */
-    uint64_t v = (radiance_q39[i] * most[i] + (UINT64_C(1) << 38)) >> 39;
-    level[i] = v > most[i] ? most[i] : (uint8_t)v;
-  }
+  for (i = 0; i < 3; i++) level[i] = fc_pixel_level(frame->options.transfer, radiance_q39[i], most[i]);
   fc_pixel_put(format, level, to);
 }
