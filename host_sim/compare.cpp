@@ -27,10 +27,18 @@ struct ColourError {
   double largest = 0, square_sum = 0;
 };
 
-ColourError colour_error(const std::uint8_t *core, const OracleAnswer &answer) {
+/* What a display of this transfer function has to be told to show a light, both in 0..255. */
+double encoded(double level, const fc_transfer *transfer) {
+  const double light = level / 255;
+  if (transfer == &fc_transfer_gamma22) return 255 * std::pow(light, 1 / 2.2);
+  if (transfer == &fc_transfer_srgb) return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
+  return level;
+}
+
+ColourError colour_error(const std::uint8_t *core, const OracleAnswer &answer, const fc_transfer *transfer) {
   ColourError error;
   for (std::size_t c = 0; c < 3; c++) {
-    const double difference = std::fabs(core[c] - answer.colour[c]);
+    const double difference = std::fabs(core[c] - encoded(answer.colour[c], transfer));
     error.largest = std::max(error.largest, difference);
     error.square_sum += difference * difference;
   }
@@ -98,7 +106,7 @@ private:
     for (const OracleAnswer &answer : truth.answers) {
       const bool object = answer.object == picture_.object[i];
       const int rank = !object ? 0 : same_light(picture_.lit[i], answer, lights_) ? 2 : 1;
-      const ColourError error = colour_error(rgb, answer);
+      const ColourError error = colour_error(rgb, answer, frame_.get().options.transfer);
       if (rank > best_rank || (rank == best_rank && error.square_sum < best_error.square_sum)) {
         best = &answer;
         best_rank = rank;
@@ -112,6 +120,12 @@ private:
       const OracleAnswer &first = truth.answers.front();
       row.sums.wrong.push_back(
           {x, y, best_rank == 0, picture_.object[i], first.object, picture_.lit[i], first.lit});
+    }
+    const fc_transfer *transfer = frame_.get().options.transfer;
+    if (best_rank == 2 && best_error.largest > 1) {
+      const std::array<double, 3> &c = best->colour;
+      row.sums.off.push_back({x, y, {rgb[0], rgb[1], rgb[2]},
+                              {encoded(c[0], transfer), encoded(c[1], transfer), encoded(c[2], transfer)}});
     }
     row.colour_square_sum += best_error.square_sum;
     row.sums.colour_max = std::max(row.sums.colour_max, best_error.largest);
@@ -148,6 +162,8 @@ private:
       sum.ties += r.ties;
       sum.colour_max = std::max(sum.colour_max, r.colour_max);
       sum.depth_rel_max = std::max(sum.depth_rel_max, r.depth_rel_max);
+      sum.wrong_colour += r.off.size();
+      sum.off.insert(sum.off.end(), r.off.begin(), r.off.end());
       sum.wrong.insert(sum.wrong.end(), r.wrong.begin(), r.wrong.end());
       squares += row.colour_square_sum;
     }

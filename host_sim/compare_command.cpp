@@ -97,6 +97,12 @@ void list_wrong_pixels(std::FILE *to, const Oracle &oracle, const Comparison &co
       progress.update(++done);
     }
   }
+  for (const WrongColour &p : comparison.off) {
+    char line[160];
+    (void)std::snprintf(line, sizeof line, "wrong colour at %d %d: core %d %d %d, oracle %.2f %.2f %.2f\n", p.x, p.y, p.core[0],
+                        p.core[1], p.core[2], p.oracle[0], p.oracle[1], p.oracle[2]);
+    text += line;
+  }
   (void)std::fputs(text.c_str(), to);
 }
 
@@ -131,6 +137,7 @@ void add_compare_command(CLI::App &app, Action &action) {
   add_scene_options(*command, *options);
   add_offset_option(*command, *options);
   add_profile_option(*command, *options);
+  add_transfer_option(*command, *options);
   command->add_flag("-v,--verbose", options->verbose,
                     "list each wrong pixel and its distance from the true edge");
   command

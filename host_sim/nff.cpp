@@ -12,6 +12,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <memory>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -275,10 +278,129 @@ private:
         fail_here("a falloff that is neither inverse-square nor none; write #fc: falloff inverse-square "
                   "or #fc: falloff none");
       }
+    } else if (keyword == "gradient") {
+      expect(tokens, 6, "#fc: gradient UPX UPY UPZ R G B");
+      only_if(!scene_.gradient, "a second #fc: gradient");
+      scene_.gradient = Gradient{vector(tokens, 1), colour(tokens, 4, 1, "a background channel"), line_};
+    } else if (keyword == "sun") {
+      read_sun(tokens);
+    } else if (keyword == "mirror" || keyword == "emission" || keyword == "checker" || keyword == "image") {
+      read_layer(tokens);
     } else {
       fail_here("unknown extension " + quoted(keyword) + " after #fc:; use one of plane object tan_half_fov "
-                "far ambient falloff, or # alone for a comment");
+                "far ambient falloff gradient sun mirror emission checker image, or # alone for a comment");
     }
+  }
+
+  void read_sun(const Tokens &tokens)
+  {
+    expect(tokens, 6, "#fc: sun X Y Z R G B, X Y Z the direction towards it");
+    Light light;
+    light.directional = true;
+    light.position = vector(tokens, 1);
+    light.colour = colour(tokens, 4, max_intensity, "a light channel");
+    light.line = line_;
+    if (light.position.x.value == 0 && light.position.y.value == 0 && light.position.z.value == 0) {
+      fail_here("the sun's direction is 0 0 0; say where it stands, such as 1 2 1");
+    }
+    scene_.lights.push_back(std::move(light));
+  }
+
+  /* What is said about the material of the last line f. */
+  void read_layer(const Tokens &tokens)
+  {
+    Material &material = scene_.materials.at(static_cast<std::size_t>(current_material()));
+    const std::string_view keyword = tokens[0];
+    if (keyword == "mirror") {
+      if (tokens.size() != 5) expect(tokens, 3, "#fc: mirror R G B or #fc: mirror R G B BOUNCES");
+      only_if(!material.mirror, "a second #fc: mirror of this material");
+      material.mirror = Mirror{colour(tokens, 1, 1, "a mirror's reflectance"),
+                               tokens.size() == 5 ? integer(tokens[4], 1, 16, "a number of bounces") : 4};
+    } else if (keyword == "emission") {
+      expect(tokens, 3, "#fc: emission R G B");
+      only_if(!material.emission, "a second #fc: emission of this material");
+      material.emission = colour(tokens, 1, 200, "an emission channel");
+    } else {
+      only_if(!material.texture, "a second texture of this material");
+      material.texture = keyword == "checker" ? read_checker(tokens) : read_image(tokens);
+    }
+  }
+
+  Texture read_checker(const Tokens &tokens) const
+  {
+    if (tokens.size() < 8) fail_here("a checker of too few values; write #fc: checker R G B R G B MAPPING");
+    Texture texture;
+    texture.checker = {colour(tokens, 1, 1, "a checker's colour"), colour(tokens, 4, 1, "a checker's colour")};
+    texture.mapping = read_mapping(tokens, 7);
+    return texture;
+  }
+
+  Texture read_image(const Tokens &tokens) const
+  {
+    if (tokens.size() < 3) fail_here("an image of too few values; write #fc: image FILE.ppm [bilinear] [clamp] [modulate] MAPPING");
+    Texture texture;
+    const std::filesystem::path name(std::string{tokens[1]});
+    const std::string path = name.is_absolute() ? name.string() : (std::filesystem::path(path_).parent_path() / name).string();
+    std::size_t next = 2;
+    for (; next < tokens.size(); next++) {
+      if (tokens[next] == "bilinear") texture.bilinear = true;
+      else if (tokens[next] == "clamp") texture.clamp = true;
+      else if (tokens[next] == "modulate") texture.modulate = true;
+      else break;
+    }
+    texture.mapping = read_mapping(tokens, next);
+    texture.texels = load_texels(path, texture.width, texture.height);
+    return texture;
+  }
+
+  std::shared_ptr<const std::vector<std::uint8_t>> load_texels(const std::string &path, int &width, int &height) const
+  {
+    std::string bytes;
+    try {
+      bytes = load(path);
+    } catch (const UserError &error) {
+      fail_here(std::string("the image cannot be read: ") + error.what());
+    }
+    std::istringstream in(bytes);
+    std::string magic;
+    int most = 0;
+    in >> magic >> width >> height >> most;
+    if (!in || magic != "P6" || most != 255 || width < 1 || height < 1 || width > 4096 || height > 4096 || in.get() == EOF) {
+      fail_here(path + " is not a PPM file of 8 bits (P6, 1x1 to 4096x4096); convert it");
+    }
+    auto texels = std::make_shared<std::vector<std::uint8_t>>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+    in.read(reinterpret_cast<char *>(texels->data()), static_cast<std::streamsize>(texels->size()));
+    if (static_cast<std::size_t>(in.gcount()) != texels->size()) fail_here(path + " ends before its last pixel; save it again");
+    return texels;
+  }
+
+  Mapping read_mapping(const Tokens &tokens, std::size_t first) const
+  {
+    Mapping mapping;
+    const std::string_view kind = first < tokens.size() ? tokens[first] : std::string_view();
+    std::size_t next = first + 1;
+    if (kind == "planar" && tokens.size() >= first + 10) {
+      mapping.kind = Mapping::Kind::planar;
+      mapping.origin = vector(tokens, first + 1);
+      mapping.u = vector(tokens, first + 4);
+      mapping.v = vector(tokens, first + 7);
+      next = first + 10;
+      for (const Vector *axis : {&mapping.u, &mapping.v}) {
+        if (axis->x.value == 0 && axis->y.value == 0 && axis->z.value == 0) fail_here("a mapping's axis is 0 0 0; give it a length");
+      }
+    } else if (kind == "spherical") {
+      mapping.kind = Mapping::Kind::spherical;
+    } else if (kind == "vertices") {
+      mapping.kind = Mapping::Kind::vertices;
+    } else {
+      fail_here("a texture without a mapping; end the line with spherical, vertices, or planar and nine numbers (origin, u, v)");
+    }
+    if (next < tokens.size()) {
+      if (tokens[next] != "repeat" || tokens.size() != next + 3) fail_here("unknown words after the mapping; write repeat N M, or nothing");
+      mapping.repeat_u = integer(tokens[next + 1], 1, 255, "a number of tiles");
+      mapping.repeat_v = integer(tokens[next + 2], 1, 255, "a number of tiles");
+    }
+    return mapping;
   }
 
   static bool is_view_field(std::string_view keyword)

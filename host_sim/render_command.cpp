@@ -77,6 +77,7 @@ void add_render_command(CLI::App &app, Action &action) {
       ->type_name("DEPTH.png");
   add_offset_option(*command, *options);
   add_profile_option(*command, *options);
+  add_transfer_option(*command, *options);
   command
       ->add_option("--strip", options->strip_rows,
                    "render in strips of so many rows; default: the whole frame")

@@ -50,6 +50,13 @@ std::uint8_t to_profile(const std::string &name) {
   throw UserError("--profile takes exact, fast, half or interlaced, not \"" + name + "\"");
 }
 
+const fc_transfer *to_transfer(const std::string &name) {
+  if (name == "linear") return nullptr;
+  if (name == "srgb") return &fc_transfer_srgb;
+  if (name == "gamma22") return &fc_transfer_gamma22;
+  throw UserError("--transfer takes linear, srgb or gamma22, not \"" + name + "\"");
+}
+
 void set_world_scale(SceneFile &file, const std::string &text) {
   constexpr int limit = 1 << 30;
   const std::size_t slash = text.find('/');
@@ -89,6 +96,13 @@ void add_profile_option(CLI::App &command, SceneOptions &options) {
       ->type_name("PROFILE");
 }
 
+void add_transfer_option(CLI::App &command, SceneOptions &options) {
+  command
+      .add_option("--transfer", options.transfer,
+                  "from light to levels: linear (default), srgb or gamma22 (a display that shows level^2.2)")
+      ->type_name("FUNCTION");
+}
+
 void add_bvh_option(CLI::App &command, SceneOptions &options) {
   command
       .add_option("--bvh", options.bvh,
@@ -106,6 +120,7 @@ LoadedScene load_scene(const SceneOptions &options) {
   /* What is typed wrong is said before a large file is read, except for the size the file may state. */
   set_world_scale(scene.file, options.world_scale);
   const std::uint8_t profile = to_profile(options.profile);
+  const fc_transfer *const transfer = to_transfer(options.transfer);
   if (!options.size.empty()) set_size(scene, options.size);
   scene.file = read_nff(options.scene);
   set_world_scale(scene.file, options.world_scale);
@@ -114,6 +129,7 @@ LoadedScene load_scene(const SceneOptions &options) {
   add_hierarchy(scene.core, options.bvh);
   scene.options = to_options(options.offset, scene.core.scene);
   scene.options.profile = profile;
+  scene.options.transfer = transfer;
   return scene;
 }
 

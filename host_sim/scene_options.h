@@ -15,7 +15,7 @@ namespace host {
 
 /* As typed. */
 struct SceneOptions {
-  std::string scene, size, world_scale = "1", offset = "exact", bvh = "auto", profile = "exact";
+  std::string scene, size, world_scale = "1", offset = "exact", bvh = "auto", profile = "exact", transfer = "linear";
   bool json = false;
 };
 
@@ -31,6 +31,7 @@ struct LoadedScene {
 void add_scene_options(CLI::App &command, SceneOptions &options);
 void add_offset_option(CLI::App &command, SceneOptions &options);
 void add_profile_option(CLI::App &command, SceneOptions &options);
+void add_transfer_option(CLI::App &command, SceneOptions &options);
 void add_bvh_option(CLI::App &command, SceneOptions &options);
 void add_json_option(CLI::App &command, SceneOptions &options);
 

@@ -61,7 +61,7 @@ typedef struct fc_material {
 extern const fc_layer_kind fc_layer_phong;
 typedef struct fc_phong {
   fc_rgb specular;        /* Q1.15 */
-  uint16_t shininess_q4;  /* exponent, sixteenths: 16 is 1.0; 1 or more */
+  uint32_t shininess_q8;  /* exponent: 256 is 1.0; 1 .. 2^24 */
 } fc_phong;
 
 /* A perfect mirror in the normal: adds reflectance * what is seen that way, up to `bounces` mirrors in a row (those of the first mirror count);
@@ -94,7 +94,8 @@ extern const fc_mapping_kind fc_mapping_spherical; /* of the normal in world axe
 extern const fc_mapping_kind fc_mapping_vertices;  /* triangles: fc_shapes.uvs by the hit's barycentrics, so right in perspective; (0, 0) on other shapes */
 typedef struct fc_mapping {
   const fc_mapping_kind *kind;
-  fc_vec3 origin, u, v; /* planar: world coordinates; u and v not 0 */
+  fc_vec3 origin, u, v; /* planar: times 2^exponent, in world coordinates; u and v not 0 */
+  int8_t exponent;      /* -31..32 */
   uint8_t repeat_u, repeat_v; /* what comes out is multiplied by these; 1 or more */
 } fc_mapping;
 

@@ -45,7 +45,7 @@ typedef struct fc_prepared {
     } sphere;
     struct {
       int64_t normal[3];
-      int64_t side; /* k - normal . origin */
+      fc_i128 side; /* k - normal . origin: origins up to 2^62 */
     } plane;
     struct {
       int64_t edge[3][3];   /* N_i = V_i x V_i+1, vertices relative to the origin */

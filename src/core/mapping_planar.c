@@ -6,6 +6,7 @@
 
 static FC_COLD int check(const fc_mapping *mapping) {
   int64_t v[3];
+  if (mapping->exponent < -31 || mapping->exponent > 32) return FC_ERR_EXPONENT;
   if (!fc_load(&mapping->origin, v)) return FC_ERR_COORDINATE;
   if (!fc_load(&mapping->u, v)) return FC_ERR_COORDINATE;
   if ((v[0] | v[1] | v[2]) == 0) return FC_ERR_MATERIAL;
@@ -13,8 +14,8 @@ static FC_COLD int check(const fc_mapping *mapping) {
   return (v[0] | v[1] | v[2]) == 0 ? FC_ERR_MATERIAL : FC_OK;
 }
 
-/* offset . axis / axis.axis, Q24: the offset in camera units. */
-static FC_COLD int64_t along(const fc_view *view, const int64_t offset[3], const fc_vec3 *axis) {
+/* offset . axis / axis.axis, Q24: the offset in 2^far camera units, at most 30 bits. */
+static FC_COLD int64_t along(const fc_view *view, const int64_t offset[3], uint8_t far, const fc_vec3 *axis, int8_t exponent) {
   int64_t world[3], camera[3], dot;
   uint8_t i, shift;
   fc_quick scale, value;
@@ -26,8 +27,8 @@ static FC_COLD int64_t along(const fc_view *view, const int64_t offset[3], const
   }
   shift = fc_shrink(camera, camera);
   scale = fc_quick_recip(fc_quick_from((uint64_t)fc_dot(world, world), 0)); /* below 3 2^60 */
-  scale = fc_quick_scale(scale, (int16_t)(view->shift - view->fine + shift - 30 + 24));
-  dot = fc_dot(offset, camera); /* 32 + 30 bits, three of them: below 2^63 */
+  scale = fc_quick_scale(scale, (int16_t)(view->shift - view->fine + shift + far - exponent - 30 + 24));
+  dot = fc_dot(offset, camera); /* 30 + 30 bits, three of them: below 2^62 */
   value = fc_quick_mul(fc_quick_from(dot < 0 ? (uint64_t)-dot : (uint64_t)dot, 0), scale);
   if (value.m != 0 && value.e > 18) { /* 2^50 and more: so far away that no texel can be told */
     value.m = UINT32_C(1) << 31;
@@ -39,15 +40,13 @@ static FC_COLD int64_t along(const fc_view *view, const int64_t offset[3], const
 static FC_COLD void locate(const fc_shading *shading, const fc_mapping *mapping, int64_t uv_q24[2]) {
   const fc_view *view = &shading->frame->view;
   int64_t offset[3];
-  uint8_t i;
+  uint8_t i, far;
   uv_q24[0] = uv_q24[1] = 0;
-  if (!fc_view_point(view, &mapping->origin, 0, offset)) return;
-  for (i = 0; i < 3; i++) {
-    offset[i] = shading->surface->point[i] - offset[i];
-    if (fc_abs64(offset[i]) >> 32 != 0) offset[i] = offset[i] < 0 ? -(INT64_C(1) << 32) : INT64_C(1) << 32; /* a plane, far away */
-  }
-  uv_q24[0] = along(view, offset, &mapping->u);
-  uv_q24[1] = along(view, offset, &mapping->v);
+  if (!fc_view_point(view, &mapping->origin, mapping->exponent, offset)) return;
+  for (i = 0; i < 3; i++) offset[i] = shading->surface->point[i] - offset[i]; /* planes reach farther than 30 bits */
+  far = fc_shrink(offset, offset);
+  uv_q24[0] = along(view, offset, far, &mapping->u, mapping->exponent);
+  uv_q24[1] = along(view, offset, far, &mapping->v, mapping->exponent);
 }
 
 const fc_mapping_kind fc_mapping_planar FC_ROM = {check, locate};
