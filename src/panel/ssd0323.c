@@ -17,8 +17,6 @@ static const uint8_t init[] FC_ROM = {
     0xB3, 1, 0x91,                                              /* clock divider, oscillator */
     0xAD, 1, 0x02,                                              /* external supply of the panel */
     0xB1, 1, 0x22,                                              /* phase lengths */
-    0xB4, 1, 0x02,                                              /* pre-charge compensation level */
-    0xB0, 1, 0x28,                                              /* pre-charge compensation on */
     0xBC, 1, 0x10,                                              /* pre-charge voltage */
     0xBE, 1, 0x1C,                                              /* VCOMH */
     0xBF, 1, 0x0D,                                              /* VSL */
