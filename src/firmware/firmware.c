@@ -75,11 +75,11 @@ static void say_start(const run *self) {
   fc_panel panel;
   FC_READ(&panel, board->panel, sizeof panel);
   fc_text_rom(out, FC_TEXT("fixcast on "));
-  fc_text_ram(out, board->name);
+  fc_text_rom(out, board->name);
   fc_text_rom(out, FC_TEXT(", "));
   fc_text_unsigned(out, board->cpu_hz);
   fc_text_rom(out, FC_TEXT(" Hz\npanel "));
-  fc_text_ram(out, panel.name);
+  fc_text_rom(out, panel.name);
   fc_text_rom(out, FC_TEXT(" "));
   fc_text_unsigned(out, self->place.width);
   fc_text_rom(out, FC_TEXT("x"));

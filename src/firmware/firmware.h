@@ -33,7 +33,7 @@ enum {
 
 /* Owned by the board; it and all it points to must live as long as fc_firmware_run() runs. `context` is handed to the functions. */
 typedef struct fc_firmware_board {
-  const char *name;
+  const char *name; /* read through FC_READ, as the panel is */
   const fc_panel *panel;
   fc_panel_options options; /* pixel_hz: the requested clock, 0: the panel's fastest */
   fc_bus bus;
