@@ -15,8 +15,10 @@
 #endif
 
 #define REPORT_US UINT32_C(1000000) /* of showing frames between lines of figures */
-#define AXIS_X FC_Q16(0)            /* the orbit goes round the middle of S1's spheres */
-#define AXIS_Z FC_Q16(-4)
+/* The orbit goes round the middle of S1's largest sphere. Round the middle of all three the light would at times be the farthest thing from the
+ * eye, where the core has no fast form for it. */
+#define AXIS_X FC_Q16(0)
+#define AXIS_Z FC_Q16(-6)
 
 /* Frames since the last line of figures. */
 typedef struct tally {
