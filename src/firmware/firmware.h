@@ -54,10 +54,10 @@ typedef struct fc_firmware_board {
   size_t memory_bytes;    /* FC_FIRMWARE_MEMORY() */
 } fc_firmware_board;
 
-/* Enough bytes of memory for a panel's fc_display_format: the frame's own, two strips to send, one of depth codes and, where a strip to send is smaller
- * than what is drawn, one of that. */
-#define FC_FIRMWARE_MEMORY(format, width, strip_rows) \
-  (256u + (size_t)(width) * (strip_rows) * ((format) == FC_DISPLAY_GREY4 ? 5u : 6u))
+/* Enough bytes of memory: the frame's own, two strips to send, one of depth codes and, where a strip to send is smaller than what is drawn, one of
+ * that. The second is for panels of FC_DISPLAY_GREY4. */
+#define FC_FIRMWARE_MEMORY(width, strip_rows) (256u + 6u * (size_t)(width) * (strip_rows))
+#define FC_FIRMWARE_MEMORY_GREY4(width, strip_rows) (256u + 5u * (size_t)(width) * (strip_rows))
 
 /* Starts the panel and shows frames. FC_OK after the last one, or the error that it has also printed: any of fc_error or the bus's own. */
 int fc_firmware_run(const fc_firmware_board *board);

@@ -21,7 +21,7 @@ enum {
   STRIP_ROWS = 16
 };
 
-static int64_t memory[(FC_FIRMWARE_MEMORY(FC_DISPLAY_GREY4, WIDTH, STRIP_ROWS) + 7) / 8];
+static int64_t memory[(FC_FIRMWARE_MEMORY_GREY4(WIDTH, STRIP_ROWS) + 7) / 8];
 
 int main(void) {
   const fc_firmware_board board = {.name = "lm3s6965evb",
