@@ -8,7 +8,7 @@ JOBS := $(shell nproc 2>/dev/null || echo 2)
 CONFIGURE := cmake -S . -B $(BUILD) --log-level=WARNING
 
 # What stands in src/port/tools; packages only once there is a board to build for.
-board = $(if $(strip $(BOARD)),.ci/install $(2) &&) python3 src/port/tools/board.py $(1) $(BOARD)
+board = $(if $(strip $(BOARD)),.ci/install $(2) &&) python3 src/port/tools/board.py $(1) "$(BOARD)"
 
 help: ## show this list
 	@echo "make TARGET:"
