@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "fixcast/config.h"
 #include "unity.h"
 
 void setUp(void) {}
