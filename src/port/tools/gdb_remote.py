@@ -11,10 +11,13 @@ class Remote:
         self.received = b""
         self.command("?")
 
-    def command(self, text):
-        """Sends a packet and returns the answer's text."""
+    def send(self, text):
         data = text.encode()
         self.socket.sendall(b"$%b#%02x" % (data, sum(data) % 256))
+
+    def command(self, text):
+        """Sends a packet and returns the answer's text."""
+        self.send(text)
         return self.answer()
 
     def answer(self):
@@ -33,7 +36,12 @@ class Remote:
         if self.command(f"Z0,{address & ~1:x},2") != "OK":
             raise ConnectionError(f"the emulator takes no breakpoint at {address:#x}")
 
-    def go(self):
-        """Until the next stop; past the one where the chip is, which would stop it again at once."""
+    def stop_no_more(self, address):
+        self.command(f"z0,{address & ~1:x},2")
+
+    def go(self, meanwhile):
+        """Until the next stop; past the one where the chip is, which would stop it again at once. Calls meanwhile() on the way."""
         self.command("s")
-        self.command("c")
+        self.send("c")
+        meanwhile()
+        self.answer()
