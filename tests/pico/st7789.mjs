@@ -22,9 +22,10 @@ const MADCTL_MY = 0x80, MADCTL_MX = 0x40, MADCTL_MV = 0x20, MADCTL_BGR = 0x08;
 const hex = (byte) => `0x${byte.toString(16).padStart(2, '0')}`;
 
 export class St7789 {
-  /* `glass`: {width, height, x, y} of what is seen, in the memory as it is without mirroring. `now()`: the time. `problem(text)`. */
-  constructor({ glass, now, problem }) {
-    Object.assign(this, { glass, now, problem });
+  /* `glass`: {width, height, x, y} of what is seen, in the memory as it is without mirroring. `now()`: the time. `problem(text)`;
+   * `frame_begins()` is told of each write of pixels. */
+  constructor({ glass, now, problem, frame_begins = () => {} }) {
+    Object.assign(this, { glass, now, problem, frame_begins });
     this.memory = new Uint16Array(MEMORY_WIDTH * MEMORY_HEIGHT); /* RGB 5-6-5 */
     this.memory.fill(0x5aa5);                                    /* as after power-on: anything */
     this.reset_line = true;
@@ -134,6 +135,7 @@ export class St7789 {
       case 0x2c:
         this.position = [this.columns[0], this.rows[0]];
         this.frames.push(now);
+        this.frame_begins();
       /* fall through */
       case 0x3c:
         if (code === 0x3c) this.problem('write continue is not used by our drivers');

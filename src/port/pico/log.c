@@ -14,7 +14,8 @@ void fcp_log_start(void) {
   RP_REG(UART0_CR) = UART_CR_UARTEN | UART_CR_TXE | UART_CR_RXE;
 }
 
-void fcp_log_put(char character) {
+void fcp_log_put(void *context, char character) {
+  (void)context;
   while ((RP_REG(UART0_FR) & UART_FR_TXFF) != 0) continue;
   RP_REG(UART0_DR) = (uint8_t)character;
 }

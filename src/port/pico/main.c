@@ -1,57 +1,66 @@
+/*
+ * The demo on a Raspberry Pi Pico with an ST7789 on SPI0; the wiring is in pins.h.
+ *
+ * Options of the build (-D):
+ *   PICO_ST7789_135      a glass of 135x240 instead of 240x240
+ *   PICO_PIXEL_HZ=N      another clock for pixels, in Hz; the fastest that is not above N is taken
+ *   PICO_HALF_TURN       the picture upside down
+ *   PICO_TWO_CORES       core 1 draws half the rows of each strip
+ */
 #include "clocks.h"
+#include "cores.h"
+#include "firmware.h"
 #include "log.h"
 #include "pins.h"
 #include "spi_bus.h"
 #include "start.h"
 #include "time.h"
-static void text(const char *s) { while (*s) fcp_log_put(*s++); }
-static void hex(uint32_t v) { int i; for (i = 28; i >= 0; i -= 4) fcp_log_put("0123456789abcdef"[v >> i & 15]); fcp_log_put('\n'); }
-static volatile int ready_count;
-static void ready(void *c, int e) { (void)c; (void)e; ready_count++; }
-static uint8_t strip[2][480 * 8];
-static void cmd(fc_bus *b, uint8_t c, const uint8_t *d, size_t n) { b->ops->command(b->context, &c, 1); if (n) b->ops->data(b->context, d, n); }
+
+#ifdef PICO_ST7789_135
+enum { WIDTH = 135, STRIP_ROWS = 16 };
+#define PANEL fc_panel_st7789_135
+#else
+enum { WIDTH = 240, STRIP_ROWS = 8 };
+#define PANEL fc_panel_st7789_240
+#endif
+
+#ifndef PICO_PIXEL_HZ
+#define PICO_PIXEL_HZ 0
+#endif
+
+static int64_t memory[(FC_FIRMWARE_MEMORY(WIDTH, STRIP_ROWS) + 7) / 8];
+
+static uint8_t buttons(void *context) {
+  const unsigned held = fcp_buttons();
+  (void)context;
+  return (uint8_t)((held & 1 ? FC_BUTTON_PAUSE : 0) | (held & 2 ? FC_BUTTON_REVERSE : 0));
+}
+
 int main(void) {
-  static const uint8_t area[4] = {0, 0, 0, 239}, colmod = 0x55, madctl = 0;
-  fc_bus b;
-  int y, x, r;
-  uint32_t c0;
+  fc_firmware_board board = {.name = "pico",
+                             .panel = &PANEL,
+                             .options = {.pixel_hz = PICO_PIXEL_HZ},
+                             .put = fcp_log_put,
+                             .microseconds = fcp_microseconds,
+                             .cycles = fcp_cycles,
+                             .buttons = buttons,
+                             .ram_bytes = fcp_ram_bytes,
+                             .cpu_hz = FCP_SYSTEM_HZ,
+                             .strip_rows = STRIP_ROWS,
+                             .pattern_ms = 1000,
+                             .memory = memory,
+                             .memory_bytes = sizeof memory};
+#ifdef PICO_HALF_TURN
+  board.options.half_turn = 1;
+#endif
   fcp_clocks_start();
   fcp_pins_start();
   fcp_log_start();
   fcp_cycles_start();
-  text("boot\n");
-  b = fcp_spi_bus_start();
-  b.ops->reset(b.context, true);
-  b.ops->delay_us(b.context, 20);
-  b.ops->reset(b.context, false);
-  b.ops->delay_us(b.context, 120000);
-  b.ops->configure(b.context, 10000000, 0);
-  hex(b.ops->clock_hz(b.context));
-  cmd(&b, 0x11, 0, 0);
-  b.ops->delay_us(b.context, 120000);
-  cmd(&b, 0x3a, &colmod, 1);
-  cmd(&b, 0x36, &madctl, 1);
-  cmd(&b, 0x21, 0, 0);
-  cmd(&b, 0x29, 0, 0);
-  cmd(&b, 0x2a, area, 4);
-  cmd(&b, 0x2b, area, 4);
-  cmd(&b, 0x2c, 0, 0);
-  b.ops->configure(b.context, 62500000, 0);
-  hex(b.ops->clock_hz(b.context));
-  c0 = fcp_cycles();
-  for (y = 0; y < 240; y += 8) {
-    uint8_t *s = strip[y / 8 & 1];
-    for (r = 0; r < 8; r++)
-      for (x = 0; x < 240; x++) { s[480 * r + 2 * x] = (uint8_t)(x); s[480 * r + 2 * x + 1] = (uint8_t)(y + r); }
-    b.ops->data_start(b.context, s, 480 * 8, ready, 0);
-  }
-  b.ops->wait(b.context);
-  hex(fcp_cycles() - c0);
-  hex((uint32_t)ready_count);
-  hex((uint32_t)fcp_time_us());
-  hex(fcp_stack_used_bytes());
-  b.ops->backlight(b.context, 255);
-  text("DONE\n");
-  fcp_log_wait();
-  return 0;
+#ifdef PICO_TWO_CORES
+  fcp_cores_start();
+  board.render = fcp_cores_render;
+#endif
+  board.bus = fcp_spi_bus_start();
+  return fc_firmware_run(&board);
 }

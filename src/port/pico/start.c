@@ -21,10 +21,11 @@ void fcp_reset(void) {
   for (;;) __asm__ volatile("wfi");
 }
 
-uint32_t fcp_stack_used_bytes(void) {
+uint32_t fcp_ram_bytes(void *context) {
   const uint32_t *at = fcp_stack_start;
+  (void)context;
   while (at < fcp_stack_top && *at == STACK_MARK) at++;
-  return (uint32_t)((uintptr_t)fcp_stack_top - (uintptr_t)at);
+  return (uint32_t)((uintptr_t)fcp_stack_top - (uintptr_t)at + (uintptr_t)fcp_bss_end - (uintptr_t)fcp_data_start);
 }
 
 /* A fault or an interrupt that nobody asked for: a debugger sees where; without one the processor locks up, visibly. */

@@ -6,7 +6,7 @@
 
 void fcp_reset(void);
 
-/* The most bytes of core 0's stack that were in use since reset. */
-uint32_t fcp_stack_used_bytes(void);
+/* Bytes of RAM in use: variables, and the most of core 0's stack since reset. */
+uint32_t fcp_ram_bytes(void *context);
 
 #endif

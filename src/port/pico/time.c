@@ -16,8 +16,9 @@ void fcp_cycles_start(void) {
 
 void fcp_systick(void) { periods += 1u << PERIOD_BITS; }
 
-uint32_t fcp_cycles(void) {
+uint32_t fcp_cycles(void *context) {
   uint32_t high, low, pending;
+  (void)context;
   /* Read again when a period ended in between. One that ended while interrupts are off has not been counted yet. */
   do {
     high = periods;
@@ -39,6 +40,11 @@ uint64_t fcp_time_us(void) {
     if (again == high) return (uint64_t)high << 32 | low;
     high = again;
   }
+}
+
+uint32_t fcp_microseconds(void *context) {
+  (void)context;
+  return RP_REG(TIMER_TIMERAWL);
 }
 
 void fcp_delay_us(uint32_t us) {

@@ -28,6 +28,12 @@ BOARDS = {
         flags=("-mcpu=cortex-m3", "-mthumb", "-O2"),
         link=("-nostartfiles", "-T", "{port}/lm3s6965.ld"),
         emulator="qemu", flasher="openocd_lm3s"),
+    "pico": Board(
+        about="Raspberry Pi Pico: RP2040 (Cortex-M0+), 125 MHz, ST7789 colour TFT 240x240 on SPI0",
+        prefix="arm-none-eabi-",
+        flags=("-mcpu=cortex-m0plus", "-mthumb", "-O2"),
+        link=("-nostartfiles", "-T", "{port}/pico.ld"),
+        emulator="rp2040", flasher="uf2_drive"),
 }
 
 
