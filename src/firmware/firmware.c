@@ -15,8 +15,10 @@
 #endif
 
 #define REPORT_US UINT32_C(1000000) /* of showing frames between lines of figures */
-#define AXIS_X FC_Q16(0)            /* the orbit goes round the middle of S1's spheres */
-#define AXIS_Z FC_Q16(-4)
+/* The orbit goes round the middle of S1's largest sphere. Round the middle of all three the light would at times be the farthest thing from the
+ * eye, where the core has no fast form for it. */
+#define AXIS_X FC_Q16(0)
+#define AXIS_Z FC_Q16(-6)
 
 /* Frames since the last line of figures. */
 typedef struct tally {
@@ -75,11 +77,11 @@ static void say_start(const run *self) {
   fc_panel panel;
   FC_READ(&panel, board->panel, sizeof panel);
   fc_text_rom(out, FC_TEXT("fixcast on "));
-  fc_text_ram(out, board->name);
+  fc_text_rom(out, board->name);
   fc_text_rom(out, FC_TEXT(", "));
   fc_text_unsigned(out, board->cpu_hz);
   fc_text_rom(out, FC_TEXT(" Hz\npanel "));
-  fc_text_ram(out, panel.name);
+  fc_text_rom(out, panel.name);
   fc_text_rom(out, FC_TEXT(" "));
   fc_text_unsigned(out, self->place.width);
   fc_text_rom(out, FC_TEXT("x"));

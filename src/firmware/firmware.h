@@ -33,7 +33,7 @@ enum {
 
 /* Owned by the board; it and all it points to must live as long as fc_firmware_run() runs. `context` is handed to the functions. */
 typedef struct fc_firmware_board {
-  const char *name;
+  const char *name; /* read through FC_READ, as the panel is */
   const fc_panel *panel;
   fc_panel_options options; /* pixel_hz: the requested clock, 0: the panel's fastest */
   fc_bus bus;
@@ -54,8 +54,10 @@ typedef struct fc_firmware_board {
   size_t memory_bytes;    /* FC_FIRMWARE_MEMORY() */
 } fc_firmware_board;
 
-/* Enough bytes of memory for any format: the frame's, then two strips of pixels and one of depth codes. Four-bit grey needs 5/6 of the strips'. */
+/* Enough bytes of memory: the frame's own, two strips to send, one of depth codes and, where a strip to send is smaller than what is drawn, one of
+ * that. The second is for panels of FC_DISPLAY_GREY4. */
 #define FC_FIRMWARE_MEMORY(width, strip_rows) (256u + 6u * (size_t)(width) * (strip_rows))
+#define FC_FIRMWARE_MEMORY_GREY4(width, strip_rows) (256u + 5u * (size_t)(width) * (strip_rows))
 
 /* Starts the panel and shows frames. FC_OK after the last one, or the error that it has also printed: any of fc_error or the bus's own. */
 int fc_firmware_run(const fc_firmware_board *board);

@@ -13,10 +13,9 @@ enum {
 
 /* ---- commands ---- */
 
-static int send_command(const fc_bus *bus, bool data_as_commands, uint8_t command, const uint8_t *data, uint8_t count) {
+static int send_command(const fc_bus *bus, uint8_t command, const uint8_t *data, uint8_t count) {
   int error = bus->ops->command(bus->context, &command, 1);
-  if (error != FC_OK || count == 0) return error;
-  return (data_as_commands ? bus->ops->command : bus->ops->data)(bus->context, data, count);
+  return error != FC_OK || count == 0 ? error : bus->ops->data(bus->context, data, count);
 }
 
 /* Replays a table of panel.h's form, which is in constant memory. */
@@ -53,21 +52,21 @@ static int send_window(const fc_bus *bus, uint8_t style, uint16_t x0, uint16_t x
   switch (style) {
     case FC_WINDOW_MIPI:
       data[0] = (uint8_t)(x0 >> 8), data[1] = (uint8_t)x0, data[2] = (uint8_t)(x1 >> 8), data[3] = (uint8_t)x1;
-      error = send_command(bus, false, 0x2A, data, 4); /* CASET */
+      error = send_command(bus, 0x2A, data, 4); /* CASET */
       if (error != FC_OK) return error;
       data[0] = (uint8_t)(y0 >> 8), data[1] = (uint8_t)y0, data[2] = (uint8_t)(y1 >> 8), data[3] = (uint8_t)y1;
-      error = send_command(bus, false, 0x2B, data, 4); /* RASET */
-      return error != FC_OK ? error : send_command(bus, false, 0x2C, NULL, 0);
+      error = send_command(bus, 0x2B, data, 4); /* RASET */
+      return error != FC_OK ? error : send_command(bus, 0x2C, NULL, 0);
     case FC_WINDOW_SSD1322:
       x0 /= 4, x1 /= 4;
       /* fall through */
     case FC_WINDOW_SSD1351:
       data[0] = (uint8_t)x0, data[1] = (uint8_t)x1;
-      error = send_command(bus, false, 0x15, data, 2);
+      error = send_command(bus, 0x15, data, 2);
       if (error != FC_OK) return error;
       data[0] = (uint8_t)y0, data[1] = (uint8_t)y1;
-      error = send_command(bus, false, 0x75, data, 2);
-      return error != FC_OK ? error : send_command(bus, false, 0x5C, NULL, 0);
+      error = send_command(bus, 0x75, data, 2);
+      return error != FC_OK ? error : send_command(bus, 0x5C, NULL, 0);
     case FC_WINDOW_SSD0323:
       data[0] = 0x15, data[1] = (uint8_t)(x0 / 2), data[2] = (uint8_t)(x1 / 2);
       data[3] = 0x75, data[4] = (uint8_t)y0, data[5] = (uint8_t)y1;
