@@ -32,14 +32,15 @@ def build(name, crc=False):
     """The path of the program, fresh."""
     board, place = find(name), directory(name)
     program = "firmware-crc" if crc else "firmware"
-    link = " ".join(board.link).format(port=PORTS / name)
+    port = board.port or name
+    link = " ".join(board.link).format(port=PORTS / port)
     what = f"building the firmware of {name}"
     for tool in (f"{board.prefix}gcc", f"{board.prefix}size"):
         if shutil.which(tool) is None:
             raise Failure(f"{what} needs {tool}, which is not installed: `.ci/install firmware` installs it")
     # Compiler and flags can't change in a directory that CMake has configured.
     execute(["cmake", "-S", PORTS, "-B", place, "-DCMAKE_SYSTEM_NAME=Generic", f"-DCMAKE_C_COMPILER={board.prefix}gcc",
-             f"-DCMAKE_C_FLAGS={' '.join(board.flags)}", "-DCMAKE_BUILD_TYPE=None", f"-DFIXCAST_BOARD={name}",
+             f"-DCMAKE_C_FLAGS={' '.join(board.flags)}", "-DCMAKE_BUILD_TYPE=None", f"-DFIXCAST_BOARD={port}",
              f"-DFIXCAST_BOARD_LINK={link}", "--log-level=WARNING"], what)
     execute(["cmake", "--build", place, "--parallel", os.cpu_count() or 1, "--target", program], what)
     return place / f"{program}.elf"

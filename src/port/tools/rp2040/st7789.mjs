@@ -22,16 +22,13 @@ const MADCTL_MY = 0x80, MADCTL_MX = 0x40, MADCTL_MV = 0x20, MADCTL_BGR = 0x08;
 const hex = (byte) => `0x${byte.toString(16).padStart(2, '0')}`;
 
 export class St7789 {
-  /* `glass`: {width, height, x, y} of what is seen, in the memory as it is without mirroring. `now()`: the time. `problem(text)`;
-   * `frame_begins()` is told of each write of pixels. */
-  constructor({ glass, now, problem, frame_begins = () => {} }) {
-    Object.assign(this, { glass, now, problem, frame_begins });
+  /* `glass`: {width, height, x, y} of what is seen, in the memory as it is without mirroring. `now()`: the time. `problem(text)`. */
+  constructor({ glass, now, problem }) {
+    Object.assign(this, { glass, now, problem });
     this.memory = new Uint16Array(MEMORY_WIDTH * MEMORY_HEIGHT); /* RGB 5-6-5 */
     this.memory.fill(0x5aa5);                                    /* as after power-on: anything */
     this.reset_line = true;
     this.selected = false;
-    this.frames = []; /* when each write of pixels began */
-    this.pixels = 0;
     this.power_on = this.now();
     this.had_reset = false;
     this.reset_state();
@@ -134,8 +131,6 @@ export class St7789 {
         break;
       case 0x2c:
         this.position = [this.columns[0], this.rows[0]];
-        this.frames.push(now);
-        this.frame_begins();
       /* fall through */
       case 0x3c:
         if (code === 0x3c) this.problem('write continue is not used by our drivers');
@@ -204,7 +199,6 @@ export class St7789 {
   put(word) {
     if (this.position === null) return this.problem('a pixel after the last one of the window');
     let [x, y] = this.position;
-    this.pixels++;
     this.position = x < this.columns[1] ? [x + 1, y] : y < this.rows[1] ? [this.columns[0], y + 1] : null;
     if (this.madctl & MADCTL_MV) [x, y] = [y, x];
     if (this.madctl & MADCTL_MX) x = MEMORY_WIDTH - 1 - x;
@@ -215,16 +209,18 @@ export class St7789 {
 
   /* ---- what is seen ---- */
 
-  /* The glass as 5-6-5 words, row by row from the top left, with the flat cable below: an IPS panel, which shows colours as
-   * they are meant when inversion is on; black while the display is off or asleep. */
+  /* What the glass shows, row by row from the top left, three bytes a pixel, red first: an IPS panel, which shows colours as they are meant
+   * when inversion is on; black while the display is off or asleep. */
   picture() {
-    const { width, height, x, y } = this.glass, out = new Uint16Array(width * height);
+    const { width, height, x, y } = this.glass, out = Buffer.alloc(3 * width * height);
     if (!this.on || this.sleeping) return out;
-    for (let row = 0; row < height; row++) {
-      for (let column = 0; column < width; column++) {
-        let word = this.memory[(y + row) * MEMORY_WIDTH + x + column];
-        if (this.madctl & MADCTL_BGR) word = (word & 0x1f) << 11 | word & 0x7e0 | word >> 11;
-        out[row * width + column] = this.inverted ? word : ~word;
+    const change = this.inverted ? 0 : 0xff, swap = this.madctl & MADCTL_BGR ? 2 : 0;
+    for (let row = 0, at = 0; row < height; row++) {
+      for (let column = 0; column < width; column++, at += 3) {
+        const word = this.memory[(y + row) * MEMORY_WIDTH + x + column], r = word >> 11, g = word >> 5 & 63, b = word & 31;
+        out[at + swap] = (r << 3 | r >> 2) ^ change;
+        out[at + 1] = (g << 2 | g >> 4) ^ change;
+        out[at + 2 - swap] = (b << 3 | b >> 2) ^ change;
       }
     }
     return out;

@@ -12,6 +12,7 @@ import { FlashInterface } from './flash.mjs';
 
 const FLASH = 0x10000000, FLASH_END = 0x11000000, BOOT2_AT = 0x20041f00, BOOT2_BYTES = 252;
 const PROBLEMS_SHOWN = 20;
+const BOOT_LIMIT = 1e9; /* ns */
 /* A PL022 in mode 0 or 2 lets its frame signal rise between words (4.4.3.9): the clock rests for 1.5 periods. */
 const PAUSE_BITS = 1.5;
 const UART_FIFO = 32;
@@ -74,7 +75,7 @@ export class Board {
     this.problem_count = 0;
     this.log = '';
     this.bits_time = 0; /* nanoseconds in which bits moved */
-    this.stopped = null;
+    this.stopped = null; /* or why */
     const mcu = this.mcu = new RP2040();
     this.core = mcu.core;
     this.clock = mcu.clock;
@@ -100,8 +101,7 @@ export class Board {
     const complain = (who, what) => this.problem(`emulator, ${who}: ${what}`);
     this.mcu.logger = { debug: nothing, info: nothing, warn: complain, error: complain };
     this.mcu.onBreak = (code) => {
-      this.problem(`the program stopped itself: breakpoint ${code} at 0x${this.core.PC.toString(16)} (a fault, or an interrupt without a handler)`);
-      this.stopped = 'fault';
+      this.stopped = `the program stopped itself: breakpoint ${code} at 0x${this.core.PC.toString(16)} (a fault, or an interrupt without a handler)`;
     };
   }
 
@@ -232,32 +232,34 @@ export class Board {
 
   press(button, pressed) { this.mcu.gpio[PINS[button]].setInputValue(!pressed); }
 
-  /* Runs until `until()`, asked about every 1000 instructions, or `limit_ms` of emulated time. Returns 'done', 'limit' or 'fault'. */
-  run(until, limit_ms) {
-    const { core, clock, mcu } = this;
-    while (!this.in_place) {
-      clock.tick(core.executeInstruction() * 1e9 / mcu.clkSys);
-      if (core.PC >= FLASH && core.PC < FLASH_END) {
-        this.in_place = true;
-        this.flash.check_in_place();
-      } else if (this.now > 1e9) {
-        this.problem('the second boot stage never came to an end');
-        return 'limit';
-      }
+  instruction() {
+    const { core, clock } = this;
+    if (!core.waiting) clock.tick(core.executeInstruction() * 1e9 / this.mcu.clkSys);
+    else if (clock.nextAlarm !== null) clock.tick(clock.nanosToNextAlarm);
+    else this.stopped = 'the processor waits for an interrupt, and none will come';
+  }
+
+  /* The second boot stage, until code runs from flash. */
+  boot() {
+    const { core } = this;
+    while (this.stopped === null && !(core.PC >= FLASH && core.PC < FLASH_END)) {
+      this.instruction();
+      if (this.now > BOOT_LIMIT) this.stopped = 'the second boot stage never came to an end';
     }
-    for (;;) {
-      for (let i = 0; i < 1000; i++) {
-        if (core.waiting) {
-          const next = clock.nanosToNextAlarm;
-          if (clock.nextAlarm === null) return until() ? 'done' : 'limit';
-          clock.tick(next);
-        } else {
-          clock.tick(core.executeInstruction() * 1e9 / mcu.clkSys);
-        }
-        if (this.stopped !== null) return this.stopped;
+    this.flash.check_in_place();
+  }
+
+  /* Runs to the next time that `address` is reached: true, or false when `limit_ms` of the chip's time have passed or it stopped (`stopped` says why). */
+  run_to(address, limit_ms) {
+    const { core } = this, limit = this.now + limit_ms * 1e6;
+    do {
+      this.instruction();
+      if (this.stopped !== null) return false;
+      if (this.now > limit) {
+        this.stopped = `nothing came within ${limit_ms} ms of the chip's time; the program is at 0x${core.PC.toString(16)}`;
+        return false;
       }
-      if (until()) return 'done';
-      if (this.now > limit_ms * 1e6) return 'limit';
-    }
+    } while (core.PC !== address);
+    return true;
   }
 }
