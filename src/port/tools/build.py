@@ -1,4 +1,5 @@
 """Builds a board's firmware with CMake (src/port/CMakeLists.txt) into build/firmware/BOARD."""
+import importlib
 import os
 import shutil
 import subprocess
@@ -43,7 +44,10 @@ def build(name, crc=False):
              f"-DCMAKE_C_FLAGS={' '.join(board.flags)}", "-DCMAKE_BUILD_TYPE=None", f"-DFIXCAST_BOARD={port}",
              f"-DFIXCAST_BOARD_LINK={link}", "--log-level=WARNING"], what)
     execute(["cmake", "--build", place, "--parallel", os.cpu_count() or 1, "--target", program], what)
-    return place / f"{program}.elf"
+    elf = place / f"{program}.elf"
+    for task in board.tasks:
+        importlib.import_module(task).finish(elf)
+    return elf
 
 
 def size(name, program):

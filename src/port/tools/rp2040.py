@@ -10,7 +10,6 @@ import typing
 import uf2
 from boards import BUILD, Failure, find
 from build import execute
-from png import write_whole
 
 RP2040JS = "rp2040js@1.4.1"
 HERE = pathlib.Path(__file__).resolve().parent / "rp2040"
@@ -43,16 +42,6 @@ def modules():
     return place
 
 
-def uf2_of(elf):
-    """The UF2 file beside a program, made from it."""
-    path = pathlib.Path(elf).with_suffix(".uf2")
-    try:
-        write_whole(path, uf2.uf2(pathlib.Path(elf).read_bytes()))
-    except uf2.BadImage as problem:
-        raise Failure(f"{elf} {problem}") from None
-    return path
-
-
 def stop_of(prefix, elf, function="fc_firmware_frame_shown"):
     marker = re.search(rf"^([0-9a-f]+) T {function}$", execute([f"{prefix}nm", elf], f"reading {elf}"), re.M)
     if marker is None:
@@ -61,8 +50,8 @@ def stop_of(prefix, elf, function="fc_firmware_frame_shown"):
 
 
 def watch(elf, panel, frames, prefix="arm-none-eabi-", buttons=(), image=None):
-    """Runs a program (from `image`, a UF2 file, or made from it here): what was Seen. `buttons`: words AFTER:BUTTONS of run.mjs."""
-    image = image or uf2_of(elf)
+    """Runs a program from its UF2 file, or from `image`,: what was Seen. `buttons`: words AFTER:BUTTONS of run.mjs."""
+    image = image or uf2.file_of(elf)
     with tempfile.TemporaryDirectory(prefix="fixcast-") as place:
         out = pathlib.Path(place) / "seen"
         execute(["node", HERE / "run.mjs", modules(), image, panel, stop_of(prefix, elf), frames, out, *buttons],

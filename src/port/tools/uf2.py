@@ -5,9 +5,12 @@ uf2.py IMAGE.elf OUT.uf2
 UF2: github.com/microsoft/uf2, family RP2040. CRC: RP2040 data sheet 2.8.1.3.1 (polynomial 04c11db7, from ffffffff, not
 reflected; CRC-32/MPEG-2).
 """
-import os
+import pathlib
 import struct
 import sys
+
+from boards import Failure
+from png import write_whole
 
 FLASH, FLASH_END = 0x10000000, 0x11000000
 BOOT2_BYTES = 252
@@ -71,21 +74,28 @@ def uf2(elf):
     return b"".join(blocks)
 
 
+def file_of(elf):
+    """Where the UF2 of a program is: beside it."""
+    return pathlib.Path(elf).with_suffix(".uf2")
+
+
+def finish(elf, out=None):
+    """Writes the UF2 file of a program."""
+    try:
+        write_whole(out or file_of(elf), uf2(pathlib.Path(elf).read_bytes()))
+    except BadImage as problem:
+        raise Failure(f"{elf} {problem}") from None
+    except OSError as problem:
+        raise Failure(f"{problem.filename}: {problem.strerror}") from None
+
+
 def main(arguments):
     if len(arguments) != 2:
         sys.exit("usage: uf2.py IMAGE.elf OUT.uf2")
-    image, out = arguments
     try:
-        with open(image, "rb") as file:
-            result = uf2(file.read())
-        with open(out + ".part", "wb") as file:
-            file.write(result)
-        os.replace(out + ".part", out)
-    except BadImage as error:
-        sys.exit(f"{image} {error}")
-    except OSError as error:
-        sys.exit(f"{error.filename}: {error.strerror}")
-    print(f"{out}: {len(result) // 512} blocks, {len(result) // 2} bytes of flash")
+        finish(*arguments)
+    except Failure as failure:
+        sys.exit(str(failure))
 
 
 if __name__ == "__main__":
