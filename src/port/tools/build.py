@@ -1,4 +1,5 @@
 """Builds a board's firmware with CMake (src/port/CMakeLists.txt) into build/firmware/BOARD."""
+import importlib
 import os
 import shutil
 import typing
@@ -17,9 +18,10 @@ def configure(name, what):
     board, place = find(name), BUILD / "firmware" / name
     compiler = require(f"{board.prefix}gcc", what)
     require(f"{board.prefix}size", what)
-    link = " ".join(board.link).format(port=PORTS / name)
+    port = board.port or name
+    link = " ".join(board.link).format(port=PORTS / port)
     command = ["cmake", "-S", PORTS, "-B", place, "-DCMAKE_SYSTEM_NAME=Generic", f"-DCMAKE_C_COMPILER={compiler}",
-               f"-DCMAKE_C_FLAGS={' '.join(board.flags)}", "-DCMAKE_BUILD_TYPE=None", f"-DFIXCAST_BOARD={name}",
+               f"-DCMAKE_C_FLAGS={' '.join(board.flags)}", "-DCMAKE_BUILD_TYPE=None", f"-DFIXCAST_BOARD={port}",
                f"-DFIXCAST_BOARD_LINK={link}", "--log-level=WARNING"]
     recipe, text = place / "recipe", " ".join(map(str, command))
     if place.exists() and not (recipe.exists() and recipe.read_text() == text):
@@ -34,7 +36,10 @@ def build(name, crc=False):
     what, program = f"building the firmware of {name}", "firmware-crc" if crc else "firmware"
     place = configure(name, what)
     execute(["cmake", "--build", place, "--parallel", os.cpu_count() or 1, "--target", program], what)
-    return place / f"{program}.elf"
+    elf = place / f"{program}.elf"
+    for task in find(name).tasks:
+        importlib.import_module(task).finish(elf)
+    return elf
 
 
 def size(name, program):
