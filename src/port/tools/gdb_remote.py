@@ -32,6 +32,10 @@ class Remote:
         self.socket.sendall(b"+")
         return body.decode("ascii", "replace")
 
+    def word(self, address):
+        """32 bits of the chip's memory or of its registers, little-endian."""
+        return int.from_bytes(bytes.fromhex(self.command(f"m{address:x},4")), "little")
+
     def stop_at(self, address):
         if self.command(f"Z0,{address & ~1:x},2") != "OK":
             raise ConnectionError(f"the emulator takes no breakpoint at {address:#x}")
