@@ -28,7 +28,8 @@ static const uint8_t turned[] FC_ROM = {0x36, 1, 0xC0, FC_PANEL_END};
   .init = init, .off = off, .window = FC_WINDOW_MIPI, .format = FC_DISPLAY_RGB565, .spi_mode = 0, .init_hz = 10000000, .pixel_hz = 62500000, \
   .reset_low_us = 10, .reset_wait_us = 5000
 
-static const char name_240[] FC_ROM = "st7789-240", name_135[] FC_ROM = "st7789-135", name_320[] FC_ROM = "st7789-320";
+static const char name_240[] FC_ROM = "st7789-240", name_135[] FC_ROM = "st7789-135", name_320[] FC_ROM = "st7789-320",
+                  name_170[] FC_ROM = "st7789-170";
 
 /* The glass shows the first 240 rows of memory; turned, that is the last 240 of 320. */
 const fc_panel fc_panel_st7789_240 FC_ROM = {
@@ -40,3 +41,7 @@ const fc_panel fc_panel_st7789_135 FC_ROM = {
 
 const fc_panel fc_panel_st7789_320 FC_ROM = {
     ST7789, .name = name_320, .width = 240, .height = 320, .turn = {{0, 0, upright}, {0, 0, turned}}, .format12 = twelve_bits};
+
+/* 170 of 240 columns, from 35 on both ways up. */
+const fc_panel fc_panel_st7789_170 FC_ROM = {
+    ST7789, .name = name_170, .width = 170, .height = 320, .turn = {{35, 0, upright}, {35, 0, turned}}, .format12 = twelve_bits};

@@ -166,6 +166,10 @@ static void colours_swapped_1351(void) { direction[0][2] ^= 0x04; }
 static void offset_missing_0323(void) { direction[0][5] = 0; }
 static void offset_missing_1351(void) { drop(0xA2); }
 static void locked(void) { init[5] = 0x12; } /* FD B1, the second entry */
+static void columns_reversed_1327(void) { direction[0][2] ^= 0x01; }
+static void offset_1327(void) { set(0xA2, 32); }
+static void no_regulator(void) { drop(0xAB); }
+static void locked_1327(void) { set(0xFD, 0x16); }
 static void single_commons(void) { direction[0][3] = 0x01; }
 static void multiplex_missing(void) { drop(0xA8); }
 static void inverse(void) { *entry_of(0xA6) = 0xA7; }
@@ -257,6 +261,16 @@ static const sabotage table[] = {
     {"display offset as after reset", &fc_panel_ssd1351, offset_missing_1351, false, "the glass shows"},
     {"commands are locked", &fc_panel_ssd1351, locked, false, "is locked: FD B1 comes first"},
     {"single commons", &fc_panel_ssd1322, single_commons, false, "two commons at a time"},
+    {"columns of the other 1.9 inch glass", &fc_panel_st7789_170, x_offset_down, false, "where there is no glass"},
+    {"columns reversed", &fc_panel_ssd1327, columns_reversed_1327, false, "the glass shows"},
+    {"halves of bytes swapped", &fc_panel_ssd1327, nibbles_swapped, false, "the glass shows"},
+    {"addresses run down", &fc_panel_ssd1327, addresses_run_down, false, "addresses run down"},
+    {"rows reversed", &fc_panel_ssd1327, rows_reversed, false, "the glass shows"},
+    {"commons not split", &fc_panel_ssd1327, commons_not_split, false, "commons are split"},
+    {"display offset of another glass", &fc_panel_ssd1327, offset_1327, false, "the glass shows"},
+    {"no multiplex ratio", &fc_panel_ssd1327, multiplex_missing, false, "multiplex ratio of 256 rows, the glass has 128"},
+    {"no regulator", &fc_panel_ssd1327, no_regulator, false, "without the internal VDD regulator"},
+    {"locked", &fc_panel_ssd1327, locked_1327, false, "nothing would be taken after it"},
     {"no multiplex ratio", &fc_panel_ssd0323, multiplex_missing, false, "multiplex ratio of 256 rows, the glass has 64"},
     {"inverse", &fc_panel_ssd1306, inverse, false, "the glass shows"},
     {"all off", &fc_panel_ssd0323, all_off, false, "the glass shows 000000"},

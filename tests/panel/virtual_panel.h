@@ -82,8 +82,8 @@ struct virtual_panel {
   uint32_t memory[VIRTUAL_MEMORY_MAX]; /* 0xRRGGBB as the eye would see it if not inverted */
 };
 
-extern const virtual_model virtual_st7789_240, virtual_st7789_135, virtual_st7789_320, virtual_ili9341, virtual_st7735_128, virtual_ssd1351,
-    virtual_ssd0323, virtual_ssd1322, virtual_ssd1306;
+extern const virtual_model virtual_st7789_240, virtual_st7789_135, virtual_st7789_320, virtual_st7789_170, virtual_ili9341, virtual_st7735_128,
+    virtual_ssd1351, virtual_ssd0323, virtual_ssd1327, virtual_ssd1322, virtual_ssd1306;
 
 /* The model of that name, or NULL. */
 const virtual_model *virtual_model_named(const char *name);
