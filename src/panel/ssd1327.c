@@ -1,8 +1,8 @@
 /*
  * Solomon Systech SSD1327: OLED controller, 128x128 pixels of 4-bit grey, under glass of that size (the 1.5 inch modules).
  *
- * Facts: SSD1327 data sheet Rev 1.1, sections 9 and 10 (commands) and 13 (AC characteristics: serial clock cycle 100 ns). Commands and their data are sent
- * with D/C low. Windows are those of the SSD0323: columns of two pixels.
+ * Facts: SSD1327 data sheet Rev 1.1, sections 9 and 10 (commands) and 13 (AC characteristics: serial clock cycle 100 ns). Commands and
+ * their data are sent with D/C low. Windows are those of the SSD0323: columns of two pixels.
  */
 #include "fixcast/panel.h"
 

@@ -1,8 +1,8 @@
 /*
  * Sitronix ST7789: colour TFT controllers of 240x320 pixels, under glass of that size or a smaller one.
  *
- * Facts: ST7789V data sheet V1.3 (2014-03), sections in brackets; the write cycle of 16 ns is that of the ST7789VW, V1.0 (2017-09) 7.4.3, which is on the small
- * IPS modules that are sold today. (The ST7789V has 66 ns: for it, set fc_panel_options.pixel_hz to 15 MHz.)
+ * Facts: ST7789V data sheet V1.3 (2014-03), sections in brackets; the write cycle of 16 ns is that of the ST7789VW, V1.0 (2017-09) 7.4.3,
+ * which is on the small IPS modules that are sold today. (The ST7789V has 66 ns: for it, set fc_panel_options.pixel_hz to 15 MHz.)
  */
 #include "fixcast/panel.h"
 

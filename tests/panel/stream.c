@@ -22,11 +22,8 @@ enum {
 static uint8_t row[ROW_BYTES];
 static fc_panel_state state; /* its size is read off the program's symbols */
 
-/* FNV-1a. */
-static void mix(uint32_t *hash, uint32_t value) {
-  uint8_t i;
-  for (i = 0; i < 4; i++) *hash = (*hash ^ (uint8_t)(value >> (8 * i))) * UINT32_C(16777619);
-}
+/* FNV-1a, a word at a time: an emulated AVR does this for each byte. */
+static void mix(uint32_t *hash, uint32_t value) { *hash = (*hash ^ value) * UINT32_C(16777619); }
 
 static int configure(void *context, uint32_t hz, uint8_t spi_mode) {
   mix(context, hz);

@@ -1,6 +1,6 @@
 /*
- * The virtual panels notice what drivers get wrong: each line of the table below is one mistake, made in a panel's record or on its wires, and the sentence
- * that must come of it. Without the mistake the same panel shows its picture.
+ * The virtual panels notice what drivers get wrong: each line of the table below is one mistake, made in a panel's record or on its wires, and
+ * the sentence that must come of it. Without the mistake the same panel shows its picture.
  */
 #include <stdio.h>
 #include <string.h>
@@ -110,7 +110,6 @@ static void filter_wrong_bit(void) { it.bus.filter = one_wrong_bit; }
 static void filter_no_rows(void) { it.bus.filter = no_rows; }
 static void filter_no_write(void) { it.bus.filter = no_write_command; }
 static void filter_no_delays(void) { it.bus.no_delays = true; }
-static void no_reset(void) { it.bus.ops.reset = NULL; }
 static int ignored_configure(void *context, uint32_t hz, uint8_t spi_mode) {
   (void)context, (void)hz, (void)spi_mode;
   return FC_OK;
@@ -122,7 +121,10 @@ static void clock_never_set(void) { it.bus.ops.configure = ignored_configure; }
 static void x_offset(void) { broken.turn[0].x_offset++, broken.turn[1].x_offset++; }
 static void x_offset_down(void) { broken.turn[0].x_offset--, broken.turn[1].x_offset--; }
 static void y_offset(void) { broken.turn[0].y_offset++, broken.turn[1].y_offset++; }
-static void offsets_of_the_other_way_up(void) { broken.turn[1].x_offset = broken.turn[0].x_offset, broken.turn[1].y_offset = broken.turn[0].y_offset; }
+static void offsets_of_the_other_way_up(void) {
+  broken.turn[1].x_offset = broken.turn[0].x_offset;
+  broken.turn[1].y_offset = broken.turn[0].y_offset;
+}
 static void direction_of_the_other_way_up(void) { broken.turn[1].direction = broken.turn[0].direction; }
 static void no_sleep_out(void) { drop(0x11); }
 static void no_delay_after_reset(void) { no_delay(0x01); }
@@ -205,7 +207,7 @@ static const sabotage table[] = {
     {"no memory write command", &fc_panel_st7789_240, filter_no_write, false, "after command 2B, which takes 4"},
     {"no memory write command", &fc_panel_ssd1322, filter_no_write, false, "after command 75, which takes 2"},
     {"delays take no time", &fc_panel_st7789_240, filter_no_delays, false, "reset was held for 0 us"},
-    {"no reset line and no time", &fc_panel_st7789_240, no_delay_after_reset, false, "too early after a reset"},
+    {"no time after a software reset", &fc_panel_st7789_240, no_delay_after_reset, false, "too early after a reset"},
     {"the clock is never set", &fc_panel_st7789_240, clock_never_set, false, "before the clock was configured"},
     {"columns off by one to the right", &fc_panel_st7789_135, x_offset, false, "where there is no glass"},
     {"columns off by one to the left", &fc_panel_st7789_135, x_offset_down, false, "where there is no glass"},
@@ -280,7 +282,6 @@ static const sabotage table[] = {
     {"segments reversed", &fc_panel_ssd1306, segments_reversed_1306, false, "the glass shows"},
     {"commons reversed", &fc_panel_ssd1306, rows_reversed_1306, false, "the glass shows"},
     {"start line off by one", &fc_panel_ssd1306, start_line, false, "the glass shows"},
-    {"reset not wired, memory upright all the same", &fc_panel_st7789_240, no_reset, false, NULL},
 };
 
 /* Opens the rig with copies of the record and its tables. */
@@ -317,12 +318,8 @@ static void test_each_mistake_is_noticed(void) {
     mistake->make();
     verdict = draw();
     printf("  %s: %s\n", mistake->what, verdict != NULL ? verdict : "as it should be");
-    if (mistake->sentence == NULL) {
-      TEST_ASSERT_TRUE_MESSAGE(verdict == NULL, mistake->what);
-    } else {
-      TEST_ASSERT_TRUE_MESSAGE(verdict != NULL, mistake->what);
-      TEST_ASSERT_TRUE_MESSAGE(strstr(verdict, mistake->sentence) != NULL, mistake->sentence);
-    }
+    TEST_ASSERT_TRUE_MESSAGE(verdict != NULL, mistake->what);
+    TEST_ASSERT_TRUE_MESSAGE(strstr(verdict, mistake->sentence) != NULL, mistake->sentence);
     rig_close(&it);
   }
 }

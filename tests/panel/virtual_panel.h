@@ -47,7 +47,7 @@ typedef struct virtual_model {
   const virtual_command *commands; /* ends with a count of VIRTUAL_PIXELS and first > last */
   uint16_t memory_width, memory_height;   /* pixels */
   uint16_t width, height;                 /* of the glass */
-  uint16_t glass_x, glass_y;              /* memory column and row (OLED: segment and common) of the glass's corner, counted from the mirrored side if mirrored */
+  uint16_t glass_x, glass_y;              /* memory column and row of the glass's corner, counted from the mirrored side if mirrored */
   bool mirror_x, mirror_y;                /* the glass is mounted the other way */
   bool bgr;                               /* its colour filter is blue, green, red */
   bool inverted;                          /* it needs inversion to be on */
