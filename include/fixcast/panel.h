@@ -83,7 +83,7 @@ typedef struct fc_panel_state {
   const fc_panel *panel;
   fc_bus bus;
   fc_panel_options options;
-  uint16_t next_y; /* the row at which the open window goes on, or the height of the glass: none is open */
+  uint16_t next_y; /* the row at which the open window goes on; UINT16_MAX: none is open */
   uint8_t busy;    /* data_start was called, and wait was not since */
 } fc_panel_state;
 

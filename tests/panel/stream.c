@@ -1,6 +1,6 @@
 /*
- * Prints, for panels, a hash of all that a start, a frame and a stop send over the bus, delays included: the same on a PC and on chips,
- * whose int may have 16 bits and whose tables may be in program memory.
+ * Prints, for panels, a hash of all that a start, a frame and a stop send over the bus, delays included, and of what dither makes of 4096 pixels:
+ * the same on a PC and on chips, whose int may have 16 bits and whose tables may be in program memory.
  *
  * -DONLY=fc_panel_ssd1306: that panel alone, named directly, so that the others are not linked.
  */
@@ -45,6 +45,17 @@ static void delay_us(void *context, uint32_t us) { mix(context, UINT32_C(0x80000
 
 static const fc_bus_ops ops = {.configure = configure, .command = command, .data = data, .reset = reset, .delay_us = delay_us};
 
+static void put_line(const char *rom_name, uint32_t hash) {
+  int8_t digit;
+  char c;
+  do {
+    FC_READ(&c, rom_name++, 1);
+    PUT(c != '\0' ? c : ' ');
+  } while (c != '\0');
+  for (digit = 28; digit >= 0; digit = (int8_t)(digit - 4)) PUT("0123456789abcdef"[hash >> digit & 15]);
+  PUT('\n');
+}
+
 static int run(const fc_panel *panel, uint8_t half_turn, uint8_t twelve_bit) {
   uint32_t hash = UINT32_C(2166136261);
   const fc_bus bus = {&ops, &hash};
@@ -53,8 +64,6 @@ static int run(const fc_panel *panel, uint8_t half_turn, uint8_t twelve_bit) {
   fc_display_capabilities can;
   fc_panel record;
   uint16_t y;
-  char c;
-  int8_t digit;
   int error = fc_panel_start(&state, panel, &bus, &options, &display);
   if (error != FC_OK) return error;
   fc_display_capabilities_get(&display, &can);
@@ -66,14 +75,31 @@ static int run(const fc_panel *panel, uint8_t half_turn, uint8_t twelve_bit) {
   }
   if (error == FC_OK) error = fc_panel_stop(&state);
   FC_READ(&record, panel, sizeof record);
-  do {
-    FC_READ(&c, record.name++, 1);
-    PUT(c != '\0' ? c : ' ');
-  } while (c != '\0');
-  for (digit = 28; digit >= 0; digit = (int8_t)(digit - 4)) PUT("0123456789abcdef"[hash >> digit & 15]);
-  PUT('\n');
+  put_line(record.name, hash);
   return error;
 }
+
+#ifndef ONLY
+/* Every sixteenth pixel value. */
+static int run_dither(uint8_t format) {
+  static const char name[] FC_ROM = "dither";
+  uint32_t hash = UINT32_C(2166136261);
+  uint8_t y, x;
+  int error = FC_OK;
+  for (y = 0; error == FC_OK && y < 64; y++) {
+    uint8_t to[128];
+    for (x = 0; x < 64; x++) {
+      const uint16_t pixel = (uint16_t)((y * 64u + x) * 16u + y % 16u);
+      row[2 * x] = (uint8_t)(pixel >> 8), row[2 * x + 1] = (uint8_t)pixel;
+    }
+    for (x = 0; x < sizeof to; x++) to[x] = 0;
+    error = fc_display_convert(format, 3, y, 64, 1, row, 128, to, sizeof to);
+    for (x = 0; x < sizeof to; x++) mix(&hash, to[x]);
+  }
+  put_line(name, hash);
+  return error;
+}
+#endif
 
 int main(void) {
   int error = FC_OK;
@@ -91,6 +117,7 @@ int main(void) {
     for (way = 0; error == FC_OK && way < 2; way++) error = run(panel, way, 0);
     if (error == FC_OK && record.format12 != NULL) error = run(panel, 0, 1);
   }
+  for (i = FC_DISPLAY_RGB565; error == FC_OK && i <= FC_DISPLAY_MONO8; i++) error = run_dither(i);
 #endif
 #ifdef FIXCAST_BAREMETAL
   semihost_exit(error == FC_OK ? 0 : 1);
