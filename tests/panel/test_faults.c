@@ -142,6 +142,29 @@ static void test_an_error_of_a_started_transfer_is_told_by_the_next_call_once(vo
   TEST_ASSERT_EQUAL_UINT(1, was.calls);
 }
 
+/* Rows that would have gone on in the window of a failed transfer get one of their own: nobody knows where the controller is. */
+static void test_after_a_failed_transfer_the_window_is_opened_anew(void) {
+  static uint8_t pixels[135 * 2 * 8];
+  const fc_area first = {0, 0, 135, 8}, second = {0, 8, 135, 8};
+  unsigned asynchronous;
+  for (asynchronous = 0; asynchronous < 2; asynchronous++) {
+    unsigned long windows;
+    int error;
+    open_small(&fc_panel_st7789_135, asynchronous != 0);
+    TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
+    it.bus.fault = asynchronous ? VIRTUAL_READY_FAILS : VIRTUAL_FAIL;
+    it.bus.fault_at = it.bus.bytes + 500;
+    error = fc_display_write_start(&it.display, &first, pixels, 270, NULL, NULL);
+    if (error == FC_OK) error = fc_display_wait(&it.display);
+    TEST_ASSERT_EQUAL_INT(VIRTUAL_FAULT_CODE, error);
+    end_of_faults();
+    windows = it.panel->windows;
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_write(&it.display, &second, pixels, 270));
+    TEST_ASSERT_EQUAL_UINT32(1, it.panel->windows - windows);
+    rig_close(&it);
+  }
+}
+
 /* `ready` is not called when write_start itself has returned the error. */
 static void test_ready_is_not_called_for_an_error_that_was_returned(void) {
   static uint8_t pixels[135 * 2 * 8];
@@ -216,6 +239,7 @@ int main(void) {
   RUN_TEST(test_ready_with_an_error_at_any_byte);
   RUN_TEST(test_a_transfer_that_never_ends);
   RUN_TEST(test_an_error_of_a_started_transfer_is_told_by_the_next_call_once);
+  RUN_TEST(test_after_a_failed_transfer_the_window_is_opened_anew);
   RUN_TEST(test_ready_is_not_called_for_an_error_that_was_returned);
   RUN_TEST(test_stop_tries_everything_and_tells_the_first_error);
   return UNITY_END();
