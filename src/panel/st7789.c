@@ -10,7 +10,7 @@ static const uint8_t init[] FC_ROM = {
     0x01, 0 | FC_PANEL_DELAY, 24,       /* software reset [9.1.2]: 120 ms until sleep out */
     0x11, 0 | FC_PANEL_DELAY, 24,       /* sleep out [9.1.12]: 120 ms until the supplies are stable */
     0x3A, 1, 0x55,                      /* COLMOD [9.1.32]: 16 bits a pixel */
-    0x21, 0,                            /* inversion on [9.1.17]: IPS glass is normally black */
+    0x21, 0,                            /* inversion on [9.1.16]: IPS glass is normally black */
     0x13, 0,                            /* normal display mode on [9.1.14] */
     0x29, 0,                            /* display on [9.1.19] */
     FC_PANEL_END};
