@@ -1,5 +1,6 @@
 /*
- * Sitronix ST7735R: colour TFT controller, wired (GM = 3) to have 128x160 pixels of memory, under glass of that size (the 1.8 inch modules with a black tab).
+ * Sitronix ST7735R: colour TFT controller, wired (GM = 3) to have 128x160 pixels of memory, under glass of that size (the 1.8 inch modules
+ * with a black tab).
  *
  * Facts: ST7735R data sheet V0.2 (2009-08), sections in brackets; frame rate, voltages and gamma are those that the glass's maker gives for it.
  */
