@@ -10,9 +10,9 @@ static fc_panel small; /* a copy of a record with few rows, so that every byte c
 void setUp(void) {}
 void tearDown(void) { rig_close(&it); }
 
-static void open_small(const fc_panel *panel, bool asynchronous) {
+static void open_small(const fc_panel *panel, bool asynchronous, uint16_t height) {
   small = *panel;
-  small.height = 16;
+  small.height = height;
   rig_open(&it, &small, asynchronous, false, false);
 }
 
@@ -33,7 +33,7 @@ static bool try_fault(const fc_panel *panel, virtual_fault fault, uint64_t n, ui
   const int code = fault == VIRTUAL_STUCK ? FC_ERR_BUS : VIRTUAL_FAULT_CODE;
   int error;
   bool met;
-  open_small(panel, fault != VIRTUAL_FAIL || n % 2 == 1);
+  open_small(panel, fault != VIRTUAL_FAIL || n % 2 == 1, 8);
   it.bus.fault = fault;
   it.bus.fault_at = n;
   error = rig_start(&it);
@@ -44,19 +44,19 @@ static bool try_fault(const fc_panel *panel, virtual_fault fault, uint64_t n, ui
     met = true;
   } else {
     rig_noise(&it, 9);
-    error = rig_draw(&it, 8);
+    error = rig_draw(&it, 4);
     met = error != FC_OK;
     if (met) TEST_ASSERT_EQUAL_INT(code, error);
     if (met && panel->window == FC_WINDOW_MIPI) { /* goes on without a start: the window is opened anew */
       end_of_faults();
-      TEST_ASSERT_EQUAL_INT(FC_OK, rig_draw(&it, 8));
+      TEST_ASSERT_EQUAL_INT(FC_OK, rig_draw(&it, 4));
       assert_picture();
     }
   }
   end_of_faults();
   TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
   rig_noise(&it, 10);
-  TEST_ASSERT_EQUAL_INT(FC_OK, rig_draw(&it, 8));
+  TEST_ASSERT_EQUAL_INT(FC_OK, rig_draw(&it, 4));
   assert_picture();
   rig_close(&it);
   return met;
@@ -64,11 +64,11 @@ static bool try_fault(const fc_panel *panel, virtual_fault fault, uint64_t n, ui
 
 static void every_byte(virtual_fault fault, const fc_panel *panel) {
   uint64_t start_bytes, all_bytes, n;
-  open_small(panel, false);
+  open_small(panel, false, 8);
   TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
   start_bytes = it.bus.bytes;
   rig_noise(&it, 9);
-  TEST_ASSERT_EQUAL_INT(FC_OK, rig_draw(&it, 8));
+  TEST_ASSERT_EQUAL_INT(FC_OK, rig_draw(&it, 4));
   all_bytes = it.bus.bytes;
   TEST_ASSERT_TRUE(start_bytes > 5 && all_bytes > start_bytes + 200);
   rig_close(&it);
@@ -127,7 +127,7 @@ static void test_an_error_of_a_started_transfer_is_told_by_the_next_call_once(vo
   static uint8_t pixels[135 * 2 * 8];
   const fc_area area = {0, 0, 135, 8};
   told was = {0, FC_OK};
-  open_small(&fc_panel_st7789_135, true);
+  open_small(&fc_panel_st7789_135, true, 16);
   TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
   it.bus.fault = VIRTUAL_READY_FAILS;
   it.bus.fault_at = it.bus.bytes + 500;
@@ -150,7 +150,7 @@ static void test_after_a_failed_transfer_the_window_is_opened_anew(void) {
   for (asynchronous = 0; asynchronous < 2; asynchronous++) {
     unsigned long windows;
     int error;
-    open_small(&fc_panel_st7789_135, asynchronous != 0);
+    open_small(&fc_panel_st7789_135, asynchronous != 0, 16);
     TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
     it.bus.fault = asynchronous ? VIRTUAL_READY_FAILS : VIRTUAL_FAIL;
     it.bus.fault_at = it.bus.bytes + 500;
@@ -172,7 +172,7 @@ static void test_ready_is_not_called_for_an_error_that_was_returned(void) {
   unsigned asynchronous;
   for (asynchronous = 0; asynchronous < 2; asynchronous++) {
     told was = {0, FC_OK};
-    open_small(&fc_panel_st7789_135, asynchronous != 0);
+    open_small(&fc_panel_st7789_135, asynchronous != 0, 16);
     TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
     it.bus.fault = VIRTUAL_FAIL;
     it.bus.fault_at = it.bus.bytes + 500;
@@ -183,7 +183,7 @@ static void test_ready_is_not_called_for_an_error_that_was_returned(void) {
 }
 
 static void test_a_clock_or_reset_that_fails(void) {
-  open_small(&fc_panel_st7789_135, false);
+  open_small(&fc_panel_st7789_135, false, 16);
   it.bus.configure_error = FC_ERR_UNSUPPORTED;
   TEST_ASSERT_EQUAL_INT(FC_ERR_UNSUPPORTED, rig_start(&it));
   TEST_ASSERT_EQUAL_UINT(0, it.bus.bytes);
@@ -196,7 +196,7 @@ static void test_a_clock_or_reset_that_fails(void) {
 }
 
 static void test_stop_tries_everything_and_tells_the_first_error(void) {
-  open_small(&fc_panel_st7789_135, false);
+  open_small(&fc_panel_st7789_135, false, 16);
   TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
   it.bus.fault = VIRTUAL_FAIL;
   it.bus.fault_at = it.bus.bytes;
@@ -206,7 +206,7 @@ static void test_stop_tries_everything_and_tells_the_first_error(void) {
 
 static void test_what_start_refuses_it_refuses_before_a_byte_is_sent(void) {
   fc_bus no_ops = {NULL, NULL};
-  open_small(&fc_panel_st7789_135, false);
+  open_small(&fc_panel_st7789_135, false, 16);
   TEST_ASSERT_EQUAL_INT(FC_ERR_NULL, fc_panel_start(NULL, it.record, &it.bus.bus, NULL, &it.display));
   TEST_ASSERT_EQUAL_INT(FC_ERR_NULL, fc_panel_start(&it.state, NULL, &it.bus.bus, NULL, &it.display));
   TEST_ASSERT_EQUAL_INT(FC_ERR_NULL, fc_panel_start(&it.state, it.record, NULL, NULL, &it.display));
@@ -220,7 +220,7 @@ static void test_what_start_refuses_it_refuses_before_a_byte_is_sent(void) {
 }
 
 static void test_pixel_clock_of_the_options(void) {
-  open_small(&fc_panel_st7789_135, false);
+  open_small(&fc_panel_st7789_135, false, 16);
   it.options.pixel_hz = 24000000;
   TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
   TEST_ASSERT_EQUAL_UINT32(24000000, it.panel->hz);
