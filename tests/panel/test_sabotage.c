@@ -335,8 +335,34 @@ static void test_copies_without_a_mistake_show_the_picture(void) {
   }
 }
 
+/* A grey table of 63 bytes, which is more than the interpreter copies at a time: all arrive, and what follows is understood. */
+static uint8_t heard[80];
+static unsigned heard_count;
+static bool hear(virtual_bus *bus, bool *data, uint8_t *byte) {
+  if (*data && bus->last_command == 0xB8 && heard_count < sizeof heard) heard[heard_count++] = *byte;
+  return true;
+}
+static void test_a_command_with_63_bytes_of_data(void) {
+  uint8_t *entry;
+  unsigned i;
+  const char *verdict;
+  open_copy(&fc_panel_ssd1351, false);
+  entry = entry_of(0xB9);
+  memmove(entry + 2 + 63, entry + 2, table_bytes(init) - (size_t)(entry + 2 - init));
+  entry[0] = 0xB8;
+  entry[1] = 63;
+  for (i = 0; i < 63; i++) entry[2 + i] = (uint8_t)(3 * i + 1);
+  heard_count = 0;
+  it.bus.filter = hear;
+  verdict = draw();
+  TEST_ASSERT_TRUE_MESSAGE(verdict == NULL, verdict != NULL ? verdict : "");
+  TEST_ASSERT_EQUAL_UINT(63, heard_count);
+  TEST_ASSERT_EQUAL_HEX8_ARRAY(entry + 2, heard, 63);
+}
+
 int main(void) {
   UNITY_BEGIN();
+  RUN_TEST(test_a_command_with_63_bytes_of_data);
   RUN_TEST(test_copies_without_a_mistake_show_the_picture);
   RUN_TEST(test_each_mistake_is_noticed);
   return UNITY_END();
