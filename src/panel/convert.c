@@ -31,24 +31,32 @@ static uint16_t luma(uint16_t pixel) {
   return (uint16_t)(41u * (pixel >> 11) + 39u * ((pixel >> 5) & 63u) + 16u * (pixel & 31u));
 }
 
+/*
+ * floor(n v / m) without a division, which small chips do in software: v times k / 2^s, a little more than n / m. It is exact as long as the excess,
+ * v (k / 2^s - n / m), stays below the least distance of an n v / m to the integer above: 1 / m, cancelled down.
+ *   15 v / 31: k = 124, s = 8, excess at most 0.0157 < 1 / 31.   15 v / 63: k = 61, s = 8, 0.0118 < 1 / 21.
+ *   15 v / 4224: k = 14895, s = 22, 0.00048 < 1 / 1408.
+ */
 static uint8_t grey4(uint16_t pixel, uint8_t b) {
-  const uint16_t scaled = (uint16_t)(15u * luma(pixel)); /* at most 63360 */
-  const uint16_t level = (uint16_t)(scaled / LUMA_MAX), rest = (uint16_t)(scaled % LUMA_MAX);
+  const uint16_t v = luma(pixel);
+  const uint8_t level = (uint8_t)((v * UINT32_C(14895)) >> 22);
+  const uint16_t rest = (uint16_t)(15u * v - level * (uint16_t)LUMA_MAX); /* of at most 63360 */
   return (uint8_t)(level + (rest >= LUMA_MAX / 128u * missing(b)));
 }
 
 static bool white(uint16_t pixel, uint8_t b) { return luma(pixel) >= LUMA_MAX / 128u * missing(b); }
 
-/* n = 15: 15 v / m, the remainder at most 62, times 128 at most 7936. */
-static uint8_t channel4(uint8_t value, uint8_t max, uint8_t b) {
-  const uint16_t scaled = (uint16_t)(15u * value);
-  const uint16_t level = (uint16_t)(scaled / max), rest = (uint16_t)(scaled % max);
-  return (uint8_t)(level + (rest * 128u >= (uint16_t)(missing(b) * (uint16_t)max)));
+/* The level that floor(15 v / m) is, or the next; the remainder is below m, times 128 at most 7936. */
+static uint8_t raised(uint8_t level, uint8_t value, uint8_t max, uint8_t b) {
+  const uint16_t rest = (uint16_t)(15u * value - (uint16_t)level * max);
+  return (uint8_t)(level + (rest * 128u >= (uint16_t)missing(b) * max));
 }
+static uint8_t from5(uint8_t value, uint8_t b) { return raised((uint8_t)(value * 124u >> 8), value, 31, b); }
+static uint8_t from6(uint8_t value, uint8_t b) { return raised((uint8_t)(value * 61u >> 8), value, 63, b); }
 
 static uint16_t rgb444(uint16_t pixel, uint8_t b) {
-  const uint8_t red = channel4((uint8_t)(pixel >> 11), 31, b), green = channel4((pixel >> 5) & 63, 63, b);
-  return (uint16_t)(((uint16_t)red << 8) | ((uint16_t)green << 4) | channel4(pixel & 31, 31, b));
+  const uint8_t red = from5((uint8_t)(pixel >> 11), b), green = from6((pixel >> 5) & 63u, b), blue = from5(pixel & 31u, b);
+  return (uint16_t)(((uint16_t)red << 8) | ((uint16_t)green << 4) | blue);
 }
 
 /* One row. `b`: the matrix's row, turned so that b[i & 7] belongs to pixel i. Each reads a pixel before it writes where that was. */
@@ -58,7 +66,7 @@ static void copy_row(const uint8_t *from, uint8_t *to, uint16_t width) {
   for (i = 0; i < (size_t)width * 2u; i++) to[i] = from[i];
 }
 
-static uint16_t pixel_at(const uint8_t *from, uint16_t i) { return (uint16_t)((uint16_t)(from[2u * (size_t)i] << 8) | from[2u * (size_t)i + 1u]); }
+static uint16_t pixel_at(const uint8_t *from, uint16_t i) { return (uint16_t)(((uint16_t)from[2u * (size_t)i] << 8) | from[2u * (size_t)i + 1u]); }
 
 static void grey4_row(const uint8_t *from, uint8_t *to, uint16_t width, const uint8_t *b) {
   uint16_t i;

@@ -149,7 +149,7 @@ static int write_area(fc_panel_state *state, const fc_area *area, const void *pi
   FC_READ(&panel, state->panel, sizeof panel);
   format = format_of(state, &panel);
   whole_width = area->width == panel.width;
-  if (!whole_width || area->y == 0 || area->y != state->next_y) {
+  if (!whole_width || area->y != state->next_y) { /* which is never 0: each frame opens one */
     const fc_panel_turn *turn = &panel.turn[state->options.half_turn];
     const uint16_t x0 = (uint16_t)(turn->x_offset + area->x), x1 = (uint16_t)(x0 + area->width - 1u);
     const uint16_t y0 = (uint16_t)(turn->y_offset + area->y);

@@ -9,6 +9,7 @@ static uint8_t picture[RIG_BYTES_MAX], buffers[2][RIG_BYTES_MAX];
 
 void rig_open(rig *it, const fc_panel *record, bool asynchronous, bool half_turn, bool twelve_bit) {
   memset(it, 0, sizeof *it);
+  memset(&it->state, 0xEE, sizeof it->state); /* as the stack leaves it */
   it->record = record;
   it->panel = &glass;
   it->picture = picture;

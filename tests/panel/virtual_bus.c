@@ -39,12 +39,9 @@ void virtual_bus_run(virtual_bus *bus) {
 
 static int bus_wait(void *context) {
   virtual_bus *bus = context;
-  int error;
   virtual_bus_run(bus);
   if (bus->under_way != NULL) complete(bus, FC_ERR_BUS); /* stuck: the port gives up */
-  error = bus->transfer_error;
-  bus->transfer_error = FC_OK;
-  return error;
+  return bus->transfer_error; /* as some ports do, until the next start: callers must not ask twice */
 }
 
 static int transfer(virtual_bus *bus, bool data, const uint8_t *bytes, size_t count) {

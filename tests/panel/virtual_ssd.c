@@ -1,7 +1,8 @@
 /*
- * Virtual OLED controllers of Solomon Systech: SSD1351 (colour), SSD0323 and SSD1322 (16 greys), SSD1306 (one bit), each with a glass.
+ * Virtual OLED controllers of Solomon Systech: SSD1351 (colour), SSD0323, SSD1327, SSD1322 (16 greys), SSD1306 (one bit), each with a glass.
  *
- * From the data sheets SSD1351 Rev 1.5, SSD0323 Rev 2.1, SSD1322 Rev 1.2, SSD1306 Rev 1.1: command tables, re-map commands, memory maps, serial timing.
+ * From the data sheets SSD1351 Rev 1.5, SSD0323 Rev 2.1, SSD1327 Rev 1.1, SSD1322 Rev 1.2, SSD1306 Rev 1.1: command tables, re-map commands, memory
+ * maps, serial timing.
  * Memory is kept by row and segment: columns are re-mapped as they are written, rows as they are shown.
  */
 #include "virtual_panel.h"
@@ -154,6 +155,30 @@ static void pixel_0323(virtual_panel *panel, uint8_t byte) {
   virtual_next(panel);
 }
 
+/* SSD1327: the same memory with 128 rows; the glass begins at the last segment and common. */
+static void execute_1327(virtual_panel *panel, uint8_t command, const uint8_t *parameters) {
+  switch (command) {
+    case 0x15: set_range(panel, parameters, 64, "columns", &panel->x0, &panel->x1); break;
+    case 0x75:
+      panel->windows++;
+      set_range(panel, parameters, 128, "rows", &panel->y0, &panel->y1);
+      break;
+    case 0xAB: panel->pump = (parameters[0] & 1) != 0; break;
+    case 0xAF:
+      if (!panel->pump) virtual_complain(panel, "display on without the internal VDD regulator");
+      switch_on(panel);
+      break;
+    case 0xFD:
+      if (parameters[0] != 0x12) virtual_complain(panel, "command lock %02X: nothing would be taken after it", parameters[0]);
+      break;
+    default: execute_0323(panel, command, parameters); break;
+  }
+}
+
+static uint32_t shown_1327(const virtual_panel *panel, uint16_t x, uint16_t y) {
+  return lit(panel, panel->memory[row_of(panel, 127u - y, 128, (panel->direction & 0x10) != 0) * 128u + 127u - x]);
+}
+
 static uint32_t shown_0323(const virtual_panel *panel, uint16_t x, uint16_t y) {
   const unsigned common = 75u - y; /* the glass is on commons 12 to 75 */
   return lit(panel, panel->memory[row_of(panel, common, 80, (panel->direction & 0x10) != 0) * 128u + x]);
@@ -259,6 +284,10 @@ static const virtual_command commands_1351[] = {
 static const virtual_command commands_0323[] = {
   {0x15, 0x15, 2}, {0x75, 0x75, 2}, {0x81, 0x81, 1}, {0x84, 0x86, 0}, {0xA0, 0xA2, 1}, {0xA4, 0xA7, 0}, {0xA8, 0xA8, 1}, {0xAD, 0xAD, 1},
   {0xAE, 0xAF, 0}, {0xB1, 0xB3, 1}, {0xB8, 0xB8, 8}, {0xBC, 0xBC, 1}, {0xBE, 0xBF, 1}, {0xE3, 0xE3, 0}, {1, 0, 0}};
+static const virtual_command commands_1327[] = {
+  {0x15, 0x15, 2}, {0x75, 0x75, 2}, {0x81, 0x81, 1}, {0xA0, 0xA2, 1}, {0xA4, 0xA7, 0}, {0xA8, 0xA8, 1}, {0xAB, 0xAB, 1}, {0xAE, 0xAF, 0},
+  {0xB1, 0xB1, 1}, {0xB3, 0xB3, 1}, {0xB5, 0xB6, 1}, {0xB8, 0xB8, 15}, {0xB9, 0xB9, 0}, {0xBC, 0xBC, 1}, {0xBE, 0xBE, 1}, {0xD5, 0xD5, 1},
+  {0xFD, 0xFD, 1}, {1, 0, 0}};
 static const virtual_command commands_1322[] = {
   {0x00, 0x00, 0}, {0x15, 0x15, 2}, {0x5C, 0x5C, VIRTUAL_PIXELS}, {0x75, 0x75, 2}, {0xA0, 0xA0, 2}, {0xA1, 0xA2, 1}, {0xA4, 0xA7, 0},
   {0xA8, 0xA8, 2}, {0xA9, 0xA9, 0}, {0xAB, 0xAB, 1}, {0xAE, 0xAF, 0}, {0xB1, 0xB1, 1}, {0xB3, 0xB3, 1}, {0xB4, 0xB4, 2}, {0xB5, 0xB6, 1},
@@ -272,6 +301,7 @@ static const virtual_command commands_1306[] = {
 
 static const virtual_family family_1351 = {false, false, reset_1351, execute_1351, pixel_1351, shown_1351};
 static const virtual_family family_0323 = {true, true, reset, execute_0323, pixel_0323, shown_0323};
+static const virtual_family family_1327 = {true, true, reset, execute_1327, pixel_0323, shown_1327};
 static const virtual_family family_1322 = {false, false, reset, execute_1322, pixel_1322, shown_1322};
 static const virtual_family family_1306 = {true, true, reset, execute_1306, pixel_1306, shown_1306};
 
@@ -294,6 +324,15 @@ const virtual_model virtual_ssd0323 = {RESET,
                                        .width = 128,
                                        .height = 64,
                                        .hz_max = 4000000};
+const virtual_model virtual_ssd1327 = {RESET,
+                                       .name = "ssd1327",
+                                       .family = &family_1327,
+                                       .commands = commands_1327,
+                                       .memory_width = 128,
+                                       .memory_height = 128,
+                                       .width = 128,
+                                       .height = 128,
+                                       .hz_max = 10000000};
 const virtual_model virtual_ssd1322 = {RESET,
                                        .name = "ssd1322",
                                        .family = &family_1322,
