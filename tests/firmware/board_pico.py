@@ -30,7 +30,7 @@ def no_complaints(report, what, seen, frames):
 
 def check_steps(report, simulator, name, steps, buttons=()):
     """Shows frames and compares each with the simulator's of its step of the orbit, as the glass shows it and as the board says."""
-    seen = rp2040.watch(build.build(name, crc=True), boards.find(name).panel, len(steps), buttons=buttons)
+    seen = rp2040.watch(build.build(name, crc=True), boards.find(name).panel, len(steps), words=buttons)
     no_complaints(report, name, seen, len(steps))
     said = re.findall(r"^(pattern shown|frame \d+) crc ([0-9a-f]{8})$", seen.text, re.M)
     report.equal(f"{name}: lines of CRCs", ["pattern shown"] + [f"frame {i}" for i in range(len(steps))], [line[0] for line in said])
