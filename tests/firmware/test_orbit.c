@@ -43,6 +43,19 @@ static void test_each_step_turns_eye_and_target_by_six_degrees_about_the_axis(vo
   }
 }
 
+/* As orbit.h has it; these products are exact in double precision. */
+static void test_coordinates_are_rounded_to_the_nearest(void) {
+  uint16_t step;
+  for (step = 0; step < FC_ORBIT_STEPS; step++) {
+    const double angle = turn * step / FC_ORBIT_STEPS, s = round(32768 * sin(angle)), c = round(32768 * cos(angle));
+    const double x = (double)start.eye.x - AXIS_X, z = (double)start.eye.z - AXIS_Z;
+    fc_camera camera;
+    fc_orbit(&start, AXIS_X, AXIS_Z, step, &camera);
+    TEST_ASSERT_EQUAL_INT32(AXIS_X + (int32_t)round((x * c + z * s) / 32768), camera.eye.x);
+    TEST_ASSERT_EQUAL_INT32(AXIS_Z + (int32_t)round((z * c - x * s) / 32768), camera.eye.z);
+  }
+}
+
 static void test_step_0_is_the_camera_itself(void) {
   fc_camera camera;
   fc_orbit(&start, AXIS_X, AXIS_Z, 0, &camera);
@@ -92,6 +105,7 @@ static void test_the_largest_distances_do_not_overflow(void) {
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_each_step_turns_eye_and_target_by_six_degrees_about_the_axis);
+  RUN_TEST(test_coordinates_are_rounded_to_the_nearest);
   RUN_TEST(test_step_0_is_the_camera_itself);
   RUN_TEST(test_a_quarter_turn_is_exact);
   RUN_TEST(test_sixty_steps_are_a_turn);

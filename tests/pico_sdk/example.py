@@ -19,7 +19,7 @@ sys.path.insert(0, str(ROOT / "src/port/tools"))
 import boards  # noqa: E402
 import rp2040  # noqa: E402
 import uf2  # noqa: E402
-from build import execute  # noqa: E402
+from run import execute  # noqa: E402
 
 FRAMES = 2
 RELEASE = "trixie"  # the first that has the SDK: 2.1.1

@@ -25,7 +25,7 @@ def emulate_one(name):
 
 
 def flash_one(name):
-    print(getattr(flash, boards.find(name).flasher)(name, build.build(name)), end="")
+    print(getattr(flash, boards.find(name).flasher)(name, lambda: build.build(name)), end="")
 
 
 def main(arguments):

@@ -15,7 +15,7 @@ class Board(typing.NamedTuple):
     about: str            # a line for the list of boards
     prefix: str           # of the compiler and its tools
     flags: tuple          # of compiler and linker
-    emulator: str         # module with run(board, image, ...): see emulate.py
+    emulator: str         # a module here: see emulate.py
     flasher: str          # function of flash.py
     link: tuple = ()      # further ones of the linker; {port} is the port's directory
     tasks: tuple = ()     # modules with finish(elf), which make what the board is fed with from the program (a UF2)

@@ -2,50 +2,42 @@
 import importlib
 import os
 import shutil
-import subprocess
 import typing
 
-from boards import BUILD, PORTS, Failure, find
+from boards import BUILD, PORTS, find
+from run import execute, require
 
 
 class Size(typing.NamedTuple):
-    flash: int  # code, constants and the initial values of variables
+    flash: int   # code, constants and the initial values of variables
     static: int  # variables
 
 
-def execute(command, what):
-    """A command's output; one that fails or is not there is a Failure that says what could not be done."""
-    words = list(map(str, command))
-    if shutil.which(words[0]) is None:
-        raise Failure(f"{what} needs {words[0]}, which is not installed: `.ci/install firmware` installs it")
-    run = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                         errors="replace")
-    if run.returncode != 0:
-        raise Failure(f"{what} failed: {' '.join(words)} ended with exit code {run.returncode}:\n{run.stdout}")
-    return run.stdout
-
-
-def directory(name):
-    return BUILD / "firmware" / name
+def configure(name, what):
+    """CMake's directory for the board. It starts over when compiler or flags are others: CMake would forget half of them."""
+    board, place = find(name), BUILD / "firmware" / name
+    compiler = require(f"{board.prefix}gcc", what)
+    require(f"{board.prefix}size", what)
+    port = board.port or name
+    link = " ".join(board.link).format(port=PORTS / port)
+    command = ["cmake", "-S", PORTS, "-B", place, "-DCMAKE_SYSTEM_NAME=Generic", f"-DCMAKE_C_COMPILER={compiler}",
+               f"-DCMAKE_C_FLAGS={' '.join(board.flags)}", "-DCMAKE_BUILD_TYPE=None", f"-DFIXCAST_BOARD={port}",
+               f"-DFIXCAST_BOARD_LINK={link}", "--log-level=WARNING"]
+    recipe, text = place / "recipe", " ".join(map(str, command))
+    if place.exists() and not (recipe.exists() and recipe.read_text() == text):
+        shutil.rmtree(place)
+    execute(command, what)
+    recipe.write_text(text)
+    return place
 
 
 def build(name, crc=False):
-    """The path of the program, fresh."""
-    board, place = find(name), directory(name)
-    program = "firmware-crc" if crc else "firmware"
-    port = board.port or name
-    link = " ".join(board.link).format(port=PORTS / port)
-    what = f"building the firmware of {name}"
-    for tool in (f"{board.prefix}gcc", f"{board.prefix}size"):
-        if shutil.which(tool) is None:
-            raise Failure(f"{what} needs {tool}, which is not installed: `.ci/install firmware` installs it")
-    # Compiler and flags can't change in a directory that CMake has configured.
-    execute(["cmake", "-S", PORTS, "-B", place, "-DCMAKE_SYSTEM_NAME=Generic", f"-DCMAKE_C_COMPILER={board.prefix}gcc",
-             f"-DCMAKE_C_FLAGS={' '.join(board.flags)}", "-DCMAKE_BUILD_TYPE=None", f"-DFIXCAST_BOARD={port}",
-             f"-DFIXCAST_BOARD_LINK={link}", "--log-level=WARNING"], what)
+    """The path of the program, fresh; `crc`: the one that prints a CRC a frame."""
+    what, program = f"building the firmware of {name}", "firmware-crc" if crc else "firmware"
+    place = configure(name, what)
     execute(["cmake", "--build", place, "--parallel", os.cpu_count() or 1, "--target", program], what)
     elf = place / f"{program}.elf"
-    for task in board.tasks:
+    for task in find(name).tasks:
         importlib.import_module(task).finish(elf)
     return elf
 

@@ -3,6 +3,7 @@
 An emulator is a module here with
   run(name, image, frames, show)   runs `frames` frames after the bring-up pattern; calls show(number, picture) at each, where
                                    picture() is (width, height, RGB bytes); returns the text
+  TOOL                             the program that it needs
   NOTE                             a sentence about what its times are worth
 """
 import importlib
@@ -10,12 +11,14 @@ import importlib
 import build
 import png
 from boards import BUILD, Failure, find
+from run import require
 
 FRAMES = 100  # some seconds of a chip's time: enough for lines of figures
 
 
 def emulate(name, frames=FRAMES):
     emulator = importlib.import_module(find(name).emulator)
+    require(emulator.TOOL, f"emulating {name}")
     image = build.build(name)
     place = BUILD / "emulate"
     place.mkdir(parents=True, exist_ok=True)

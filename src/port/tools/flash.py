@@ -1,36 +1,29 @@
-"""Brings a board's firmware onto the board itself. Each function takes (name, image); no board or no tool is a Failure."""
+"""Brings a board's firmware onto the board itself. Each function takes the board's name and make_image(), which builds the image; it asks for what else it
+needs first. No board or no tool is a Failure."""
 import os
 import pathlib
-import shutil
-import subprocess
 
 import uf2
 from boards import Failure
+from run import attempt, require
 
 
-def tool(word, what):
-    if shutil.which(word) is None:
-        raise Failure(f"{what} needs {word}, which is not installed: install the package of that name")
-    return word
-
-
-def spoken(command, what, absent):
-    """Runs a tool that talks to a board. `absent`: words of its output that mean there is no board."""
-    run = subprocess.run([str(word) for word in command], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                         stderr=subprocess.STDOUT, text=True, errors="replace")
-    if run.returncode == 0:
-        return run.stdout
-    if any(words in run.stdout for words in absent):
+def told(command, what, absent):
+    """The output of a tool that talks to a board. `absent`: words of its output that mean there is none."""
+    code, output = attempt(command)
+    if code == 0:
+        return output
+    if any(words in output for words in absent):
         raise Failure(f"{what}: no board found; connect it by USB, and see that you may use the device")
-    raise Failure(f"{what} failed: {command[0]} ended with exit code {run.returncode}:\n{run.stdout}")
+    raise Failure(f"{what} failed: {command[0]} ended with exit code {code}:\n{output}")
 
 
-def openocd_lm3s(name, image):
+def openocd_lm3s(name, make_image):
     """The debugger on TI's board is an FTDI chip, which OpenOCD knows with the board."""
     what = f"flashing {name}"
-    script = f"program {{{image}}} verify reset exit"
-    return spoken([tool("openocd", what), "-f", "board/ek-lm3s6965.cfg", "-c", script], what,
-                  ("no device found", "unable to open ftdi device", "No such device"))
+    tool = require("openocd", what, package="openocd")
+    return told([tool, "-f", "board/ek-lm3s6965.cfg", "-c", f"program {{{make_image()}}} verify reset exit"], what,
+                ("no device found", "unable to open ftdi device", "No such device"))
 
 
 def mounts():
@@ -49,13 +42,13 @@ def is_rp2040_drive(path):
         return False
 
 
-def uf2_drive(name, image):
+def uf2_drive(name, make_image):
     """The boot ROM of an RP2040 is a drive that takes a UF2 file (RP2040 data sheet 2.8.4), and then starts it."""
     drives = [path for path in mounts() if is_rp2040_drive(path)]
     if len(drives) != 1:
         raise Failure(f"flashing {name}: {len(drives)} drives named RPI-RP2 found, one is needed; hold the board's BOOTSEL button down "
                       "while you plug it in by USB, and mount the drive that appears")
-    source = uf2.file_of(image)
+    source = uf2.file_of(make_image())
     try:
         with open(drives[0] / source.name, "wb") as file:
             file.write(source.read_bytes())

@@ -11,10 +11,13 @@ class Remote:
         self.received = b""
         self.command("?")
 
-    def command(self, text):
-        """Sends a packet and returns the answer's text."""
+    def send(self, text):
         data = text.encode()
         self.socket.sendall(b"$%b#%02x" % (data, sum(data) % 256))
+
+    def command(self, text):
+        """Sends a packet and returns the answer's text."""
+        self.send(text)
         return self.answer()
 
     def answer(self):
@@ -29,11 +32,20 @@ class Remote:
         self.socket.sendall(b"+")
         return body.decode("ascii", "replace")
 
+    def word(self, address):
+        """32 bits of the chip's memory or of its registers, little-endian."""
+        return int.from_bytes(bytes.fromhex(self.command(f"m{address:x},4")), "little")
+
     def stop_at(self, address):
         if self.command(f"Z0,{address & ~1:x},2") != "OK":
             raise ConnectionError(f"the emulator takes no breakpoint at {address:#x}")
 
-    def go(self):
-        """Until the next stop; past the one where the chip is, which would stop it again at once."""
+    def stop_no_more(self, address):
+        self.command(f"z0,{address & ~1:x},2")
+
+    def go(self, meanwhile):
+        """Until the next stop; past the one where the chip is, which would stop it again at once. Calls meanwhile() on the way."""
         self.command("s")
-        self.command("c")
+        self.send("c")
+        meanwhile()
+        self.answer()

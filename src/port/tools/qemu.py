@@ -1,15 +1,17 @@
 """Boards that QEMU emulates: runs an image, stops each time that a frame is on the panel, and gives the panel's picture."""
 import json
+import pathlib
 import re
 import socket
 import subprocess
 import tempfile
-import pathlib
 import time
 
 from boards import Failure, find
-from build import execute
 from gdb_remote import Remote
+from run import execute
+
+TOOL = "qemu-system-arm"
 
 # One instruction lasts 2^5 ns of the chip's time: at 50 MHz 1.6 cycles. Time then depends on the program alone.
 ICOUNT = "shift=5"
@@ -29,13 +31,15 @@ class Machine:
         if marker is None:
             raise Failure(f"{image} has no function fc_firmware_frame_shown: build it with `make firmware BOARD={name}`")
         with self.errors.open("wb") as errors:
-            self.process = self.start(
-                ["qemu-system-arm", "-M", name, "-display", "none", "-nic", "none", "-monitor", "none", "-serial",
+            self.process = subprocess.Popen(
+                [TOOL, "-M", name, "-display", "none", "-nic", "none", "-monitor", "none", "-serial",
                  f"file:{self.text}", "-qmp", f"unix:{place}/qmp,server=on,wait=off", "-gdb",
-                 f"unix:{place}/gdb,server=on,wait=off", "-S", "-icount", ICOUNT, "-kernel", str(image)], errors)
+                 f"unix:{place}/gdb,server=on,wait=off", "-S", "-icount", ICOUNT, "-kernel", str(image)],
+                stdin=subprocess.DEVNULL, stdout=errors, stderr=errors)
         try:
             self.remote = Remote(self.socket_of(place / "gdb"), SECONDS)
-            self.remote.stop_at(int(marker.group(1), 16))
+            self.marker = int(marker.group(1), 16)
+            self.remote.stop_at(self.marker)
             self.control = socket.socket(socket.AF_UNIX)
             self.control.settimeout(SECONDS)
             self.control.connect(str(self.socket_of(place / "qmp")))
@@ -45,13 +49,6 @@ class Machine:
         except (OSError, ConnectionError, ValueError) as problem:
             self.close()
             raise Failure(f"QEMU does not run {image}: {problem}") from None
-
-    @staticmethod
-    def start(command, errors):
-        try:
-            return subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=errors, stderr=errors)
-        except FileNotFoundError:
-            raise Failure("emulating this board needs qemu-system-arm: `.ci/install firmware` installs it") from None
 
     def socket_of(self, path):
         for _ in range(500):
@@ -83,14 +80,26 @@ class Machine:
             if "return" in answer:
                 return answer["return"]
 
-    def next_frame(self):
-        """Runs until the next frame (or the bring-up pattern) is on the panel. Text that hangs is a Failure."""
+    def next_frame(self, keys=()):
+        """Runs until the next frame (or the bring-up pattern) is on the panel. `keys`: (QEMU's name of the key that stands for a button, whether it
+        goes down), for soon after the start of the run. A board that hangs is a Failure."""
+        events = [{"type": "key", "data": {"down": down, "key": {"type": "qcode", "data": key}}} for key, down in keys]
         try:
-            self.remote.go()
+            self.remote.go(lambda: events and self.tell("input-send-event", events=events))
         except socket.timeout:
             raise Failure(f"no frame within {SECONDS} s; the board said:\n{self.printed()}") from None
         except ConnectionError as problem:
             raise Failure(f"{problem}; the board said:\n{self.printed()}") from None
+
+    def listen(self, pattern):
+        """Runs without a stop until the board has printed what the regular expression says; its text. From then on there are no stops."""
+        self.remote.stop_no_more(self.marker)
+        self.remote.send("c")
+        for _ in range(20 * SECONDS):
+            if re.search(pattern, self.printed(), re.S):
+                return self.printed()
+            time.sleep(0.05)
+        raise Failure(f"the board did not print {pattern!r} within {SECONDS} s, but:\n{self.printed()}")
 
     def picture(self):
         """(width, height, RGB bytes) of what QEMU shows, as large as it shows it."""
@@ -101,11 +110,6 @@ class Machine:
         if match is None:
             raise Failure("QEMU's picture of the panel is no PPM")
         return int(match.group(1)), int(match.group(2)), data[match.end():]
-
-    def button(self, key, down):
-        """Presses a button or lets go; `key` is QEMU's name of the key that stands for it."""
-        event = {"type": "key", "data": {"down": down, "key": {"type": "qcode", "data": key}}}
-        self.tell("input-send-event", events=[event])
 
     def printed(self):
         return self.text.read_text(errors="replace").replace("\r", "")

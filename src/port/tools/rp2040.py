@@ -9,8 +9,9 @@ import typing
 
 import uf2
 from boards import BUILD, Failure, find
-from build import execute
+from run import execute
 
+TOOL = "node"
 RP2040JS = "rp2040js@1.4.1"
 HERE = pathlib.Path(__file__).resolve().parent / "rp2040"
 NOTE = ("Cycles are those of a Cortex-M0+ whose code comes from flash without waiting; bits take their time on the wires. "
