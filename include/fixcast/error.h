@@ -28,6 +28,8 @@ typedef enum fc_error {
   FC_ERR_UNSUPPORTED = -18,  /* a display, panel or bus that cannot do what was asked */
   FC_ERR_AREA = -19,         /* an area that is empty, off the display or not aligned, or a pitch that is too small for it */
   FC_ERR_MATERIAL = -21,     /* a material's layer without a kind or data, or with data outside its documented range */
+  FC_ERR_SAMPLING = -24,     /* no sampling pattern, or a count, depth or filter outside its documented range */
+  FC_ERR_LENS = -25,         /* no lens, or a lens with data outside its documented range */
   FC_ERR_BUS = -20           /* a bus that failed, or did not finish in time; ports with codes of their own return those */
 } fc_error;
 

@@ -22,6 +22,7 @@
 #include "fixcast/panel.h"
 #include "fixcast/ray.h"
 #include "fixcast/render.h"
+#include "fixcast/sample.h"
 #include "fixcast/scene.h"
 #include "fixcast/vec3.h"
 
