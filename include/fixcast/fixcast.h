@@ -21,6 +21,7 @@
 #include "fixcast/panel.h"
 #include "fixcast/ray.h"
 #include "fixcast/render.h"
+#include "fixcast/rotation.h"
 #include "fixcast/scene.h"
 #include "fixcast/vec3.h"
 
