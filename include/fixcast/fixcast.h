@@ -24,5 +24,6 @@
 #include "fixcast/rotation.h"
 #include "fixcast/scene.h"
 #include "fixcast/vec3.h"
+#include "fixcast/volume.h"
 
 #endif

@@ -38,6 +38,16 @@ inline std::string text(Vec v) {
   return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
 }
 
+/* Answers seen by the trial that runs: one that only ever sees one of them checks nothing. */
+struct Answers {
+  uint64_t yes = 0, no = 0;
+};
+inline Answers &answers() {
+  static Answers all;
+  return all;
+}
+inline void saw(bool yes) { yes ? answers().yes++ : answers().no++; }
+
 struct Trial {
   const char *name;
   uint64_t count; /* seeds */
@@ -59,6 +69,7 @@ inline int run_trials(int argc, char **argv, const std::vector<Trial> &trials) {
   for (const Trial &trial : trials) {
     if (only != nullptr && std::strcmp(only, trial.name) != 0) continue;
     ran++;
+    answers() = Answers();
     uint64_t i = only != nullptr ? seed : 0, end = only != nullptr ? seed + 1 : trial.count;
     for (; i < end; i++) {
       Random random = {i};
@@ -72,7 +83,16 @@ inline int run_trials(int argc, char **argv, const std::vector<Trial> &trials) {
         break;
       }
     }
-    if (i == end) std::printf("%10llu  %s\n", static_cast<unsigned long long>(trial.count), trial.name);
+    if (i != end) continue;
+    const uint64_t yes = answers().yes, no = answers().no;
+    std::printf("%10llu  %s", static_cast<unsigned long long>(i), trial.name);
+    if (yes + no > 0) std::printf(" (%llu yes, %llu no)", static_cast<unsigned long long>(yes), static_cast<unsigned long long>(no));
+    std::printf("\n");
+    std::fflush(stdout);
+    if (only == nullptr && yes + no > 0 && (yes < (yes + no) / 20 || no < (yes + no) / 20)) {
+      std::printf("FAIL %s: hardly ever sees one of the two answers\n", trial.name);
+      failed++;
+    }
   }
   if (ran == 0) {
     std::fprintf(stderr, "%s: no trial of that name\n", argv[0]);
