@@ -22,8 +22,10 @@
 #include "fixcast/panel.h"
 #include "fixcast/ray.h"
 #include "fixcast/render.h"
+#include "fixcast/rotation.h"
 #include "fixcast/sample.h"
 #include "fixcast/scene.h"
 #include "fixcast/vec3.h"
+#include "fixcast/volume.h"
 
 #endif
