@@ -111,7 +111,7 @@ int run_compare(const CompareOptions &options) {
   const CoreFrame frame(scene.file, scene.core, scene.options, scene.width, scene.height);
   Pictures pictures;
   if (options.frame.empty())
-    pictures = render(frame, 16); /* any height gives the same bits; short ones show progress */
+    pictures = render(frame, Sampling(), 16); /* any height gives the same bits; short ones show progress */
   else
     pictures.rgb888 = pictures.rgb565 = read_frame_file(options.frame, scene.width, scene.height);
   const FrameCounts counts = count(pictures.rgb565);

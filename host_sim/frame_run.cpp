@@ -22,8 +22,21 @@ namespace {
   throw UserError(file.path + line + ": " + fc_error_text(error));
 }
 
+/* One strip, as its profile or the sampling says. */
+int render_strip(const fc_frame &frame, const Sampling &sampling, int y, int rows, const fc_target &target, std::uint16_t *samples,
+                 std::vector<std::uint32_t> &scratch) {
+  const auto first = static_cast<std::uint16_t>(y), count = static_cast<std::uint16_t>(rows);
+  if (sampling.wanted)
+    return fc_sample_rows(&frame, &sampling.how, first, count, &target, samples, scratch.data(), scratch.size() * sizeof scratch[0]);
+  const int fields = frame.options.profile == FC_PROFILE_INTERLACED ? 2 : 1;
+  int error = FC_OK;
+  for (int field = 0; field < fields && error == FC_OK; field++)
+    error = fc_render_profile(&frame, static_cast<std::uint8_t>(field), first, count, &target);
+  return error;
+}
+
 /* `progress` may be null. */
-Picture render_format(const CoreFrame &frame, fc_format format, int strip_rows, Progress *progress) {
+Picture render_format(const CoreFrame &frame, const Sampling &sampling, fc_format format, int strip_rows, Progress *progress) {
   Picture p;
   p.width = frame.width();
   p.height = frame.height();
@@ -34,6 +47,13 @@ Picture render_format(const CoreFrame &frame, fc_format format, int strip_rows, 
   p.pixels.resize(pitch * static_cast<std::size_t>(p.height));
   p.depth.resize(size);
   p.lit.resize(size);
+  std::vector<std::uint32_t> scratch;
+  if (sampling.wanted) {
+    int error = FC_OK;
+    scratch.resize(fc_sample_scratch(&frame.get(), &sampling.how, &error) / sizeof scratch[0] + 1);
+    if (error < 0) throw UserError(std::string("cannot sample: ") + fc_error_text(error));
+    p.samples.resize(size);
+  }
   for (int y = 0; y < p.height; y += strip_rows) {
     const std::size_t first = static_cast<std::size_t>(y) * width;
     fc_target target{};
@@ -44,12 +64,9 @@ Picture render_format(const CoreFrame &frame, fc_format format, int strip_rows, 
     target.primitive = primitive.data() + first;
     target.lit = p.lit.data() + first;
     const int rows = std::min(strip_rows, p.height - y);
-    const int fields = frame.get().options.profile == FC_PROFILE_INTERLACED ? 2 : 1;
-    for (int field = 0; field < fields; field++) {
-      const int error = fc_render_profile(&frame.get(), static_cast<std::uint8_t>(field), static_cast<std::uint16_t>(y),
-                                          static_cast<std::uint16_t>(rows), &target);
-      if (error < 0) throw UserError(std::string("cannot render: ") + fc_error_text(error));
-    }
+    const int error = render_strip(frame.get(), sampling, y, rows, target,
+                                   sampling.wanted ? p.samples.data() + first : nullptr, scratch);
+    if (error < 0) throw UserError(std::string("cannot render: ") + fc_error_text(error));
     if (progress != nullptr) progress->update(static_cast<std::size_t>(y + rows));
   }
   p.object.resize(size);
@@ -81,11 +98,11 @@ double CoreFrame::depth_z(std::uint16_t code) const {
   return static_cast<double>(std::ldexp(mantissa * world_unit(core_.scene), exponent));
 }
 
-Pictures render(const CoreFrame &frame, int strip_rows) {
+Pictures render(const CoreFrame &frame, const Sampling &sampling, int strip_rows) {
   std::future<Picture> rgb888 =
-      std::async(std::launch::async, [&] { return render_format(frame, FC_RGB888, strip_rows, nullptr); });
+      std::async(std::launch::async, [&] { return render_format(frame, sampling, FC_RGB888, strip_rows, nullptr); });
   Progress progress("rendering", static_cast<std::size_t>(frame.height()));
-  Picture rgb565 = render_format(frame, FC_RGB565_BE, strip_rows, &progress);
+  Picture rgb565 = render_format(frame, sampling, FC_RGB565_BE, strip_rows, &progress);
   return {rgb888.get(), std::move(rgb565)};
 }
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <vector>
 
+#include "sampling.h"
 #include "scene_file.h"
 #include "to_core.h"
 
@@ -50,7 +51,7 @@ private:
   std::vector<std::int64_t> memory_; /* of int64_t for its alignment */
 };
 
-/* What fc_render_profile wrote, rows from top to bottom. */
+/* What fc_render_profile or fc_sample_rows wrote, rows from top to bottom. */
 struct Picture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> pixels;
@@ -58,6 +59,7 @@ struct Picture {
   std::vector<std::uint16_t> object; /* object ids, not primitive numbers; 0: background */
   std::vector<bool> surface;         /* false: background; a surface's object may be 0 too */
   std::vector<std::uint32_t> lit;
+  std::vector<std::uint16_t> samples; /* rays a pixel; empty without sampling */
 };
 
 /* The frame in the two formats that reports need. */
@@ -66,7 +68,7 @@ struct Pictures {
 };
 
 /* Renders the frame in strips of `strip_rows` rows, both formats at the same time. */
-Pictures render(const CoreFrame &frame, int strip_rows);
+Pictures render(const CoreFrame &frame, const Sampling &sampling, int strip_rows);
 
 /* What every report says about a frame. */
 struct FrameCounts {

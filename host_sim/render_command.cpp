@@ -16,7 +16,8 @@ namespace host {
 namespace {
 
 struct RenderOptions : SceneOptions {
-  std::string frame_path, depth_path;
+  SamplingOptions sampling;
+  std::string frame_path, depth_path, samples_path;
   int strip_rows = FC_SIZE_MAX;
 };
 
@@ -38,15 +39,32 @@ std::vector<std::uint16_t> depth_greys(std::vector<std::uint16_t> codes) {
   return codes;
 }
 
+/* Rays a pixel as greys: the pixel that took most is white. */
+std::vector<std::uint16_t> sample_greys(std::vector<std::uint16_t> counts) {
+  constexpr std::uint32_t white = 65535;
+  std::uint32_t most = 1;
+  for (std::uint32_t count : counts) most = std::max(most, count);
+  for (std::uint16_t &count : counts) count = static_cast<std::uint16_t>((count * white + most / 2) / most);
+  return counts;
+}
+
 int run_render(const RenderOptions &options) {
   if (!options.frame_path.empty() && options.frame_path == options.depth_path)
     throw UserError(options.frame_path + ": -o and --depth name the same file; choose two");
-  for (const std::string &path : {options.frame_path, options.depth_path})
+  if (!options.samples_path.empty() && (options.samples_path == options.frame_path || options.samples_path == options.depth_path))
+    throw UserError(options.samples_path + ": --samples-image names a file that is written already; choose another");
+  if (!options.samples_path.empty() && options.sampling.samples.empty())
+    throw UserError("--samples-image needs --samples: without it every pixel has one ray");
+  for (const std::string &path : {options.frame_path, options.depth_path, options.samples_path})
     if (!path.empty()) check_not_same_file(options.scene, path);
 
   const LoadedScene scene = load_scene(options);
+  Sampling sampling;
+  set_sampling(sampling, options.sampling, scene.core.camera);
+  if (sampling.wanted && scene.options.profile != FC_PROFILE_EXACT)
+    throw UserError("--profile " + options.profile + ": --samples, --filter and --lens trace exact rays; leave --profile out");
   const CoreFrame frame(scene.file, scene.core, scene.options, scene.width, scene.height);
-  const Pictures pictures = render(frame, options.strip_rows);
+  const Pictures pictures = render(frame, sampling, options.strip_rows);
   const FrameCounts counts = count(pictures.rgb565);
   std::string written;
   if (!options.frame_path.empty())
@@ -57,8 +75,15 @@ int run_render(const RenderOptions &options) {
         "wrote " +
         write_depth(options.depth_path, {scene.width, scene.height, depth_greys(pictures.rgb565.depth)}) +
         "\n";
+  if (!options.samples_path.empty())
+    written += "wrote " +
+               write_depth(options.samples_path, {scene.width, scene.height, sample_greys(pictures.rgb888.samples)}) + "\n";
+  std::uint64_t rays = 0;
+  for (std::uint16_t samples : pictures.rgb888.samples) rays += samples;
+  const std::string rays_json = sampling.wanted ? ", \"rays\": " + std::to_string(rays) : "";
+  if (sampling.wanted) written = std::to_string(rays) + " rays make the pixels\n" + written;
   const std::string text =
-      options.json ? "{" + frame_json(scene, counts) + "}\n" : frame_summary(scene, counts) + written;
+      options.json ? "{" + frame_json(scene, counts) + rays_json + "}\n" : frame_summary(scene, counts) + written;
   (void)std::fputs(text.c_str(), stdout);
   return 0;
 }
@@ -78,6 +103,11 @@ void add_render_command(CLI::App &app, Action &action) {
   add_offset_option(*command, *options);
   add_profile_option(*command, *options);
   add_transfer_option(*command, *options);
+
+  add_sampling_options(*command, options->sampling);
+  command
+      ->add_option("--samples-image", options->samples_path, "write how many rays each pixel took, as 16-bit greys: most is white")
+      ->type_name("FILE.png");
   command
       ->add_option("--strip", options->strip_rows,
                    "render in strips of so many rows; default: the whole frame")

@@ -27,8 +27,11 @@ typedef enum fc_error {
   FC_ERR_PROFILE = -17,      /* unknown profile, or a field that is not 0 or 1 */
   FC_ERR_UNSUPPORTED = -18,  /* a display, panel or bus that cannot do what was asked */
   FC_ERR_AREA = -19,         /* an area that is empty, off the display or not aligned, or a pitch that is too small for it */
+  FC_ERR_BUS = -20,          /* a bus that failed, or did not finish in time; ports with codes of their own return those */
   FC_ERR_MATERIAL = -21,     /* a material's layer without a kind or data, or with data outside its documented range */
-  FC_ERR_BUS = -20           /* a bus that failed, or did not finish in time; ports with codes of their own return those */
+  FC_ERR_ROTATION = -22,     /* a rotation that is not of unit length, or an entry of its matrix beyond 1 */
+  FC_ERR_SAMPLING = -23,     /* no sampling pattern, or a count, depth, filter or threshold outside its documented range */
+  FC_ERR_LENS = -24          /* no lens, or a lens with data outside its documented range */
 } fc_error;
 
 /* A sentence for an error code, never NULL; the text is constant and lives as long as the program. */

@@ -22,8 +22,11 @@
 #include "fixcast/panel.h"
 #include "fixcast/ray.h"
 #include "fixcast/render.h"
+#include "fixcast/rotation.h"
+#include "fixcast/sample.h"
 #include "fixcast/scene.h"
 #include "fixcast/transfer.h"
 #include "fixcast/vec3.h"
+#include "fixcast/volume.h"
 
 #endif

@@ -25,7 +25,10 @@ const char *fc_error_text(int error) {
     case FC_ERR_UNSUPPORTED: return "the display, panel or bus cannot do that";
     case FC_ERR_AREA: return "the area is empty, off the display or not aligned, or its pitch is too small";
     case FC_ERR_MATERIAL: return "a material's layer has no kind or data, or its data are out of range";
+    case FC_ERR_SAMPLING: return "no sampling pattern, or its count, depth or filter is out of range";
+    case FC_ERR_LENS: return "no lens, or its span or angle is out of range";
     case FC_ERR_BUS: return "the bus failed or did not finish in time";
+    case FC_ERR_ROTATION: return "a rotation is not of unit length";
   }
   return "unknown error";
 }

@@ -116,9 +116,7 @@ static FC_COLD bool meet(const fc_frame *frame, const fc_space *space, mirrored 
   from = ray->found_near ? ray->near : ray->origin;
   if (!fc_surface_meet(surface, space, ray->found, from, ray->direction)) return false;
   fc_surface_complete(surface);
-  /* rounded to a unit, for the next ray starts there */
-  if (fc_point_at(fc_root_value(&surface->root), from, ray->direction, surface->point)) surface->point_error = 1;
-  fc_kind_of(&surface->at)->normal(&surface->form, surface->point, surface->normal);
+  fc_surface_round(surface); /* the next ray starts there */
   return true;
 }
 

@@ -77,20 +77,21 @@ static FC_COLD int set_eye(fc_view *view, const fc_camera *camera) {
   return FC_OK;
 }
 
+FC_COLD bool fc_view_tangent_valid(const fc_camera *camera) {
+  const uint32_t numerator = camera->tan_half_fov_numerator, denominator = camera->tan_half_fov_denominator;
+  return numerator != 0 && denominator != 0 && numerator <= (uint64_t)denominator << 16 && (uint64_t)numerator << 16 >= denominator;
+}
+
 static FC_COLD int set_focal(fc_view *view, const fc_camera *camera, uint16_t width, uint16_t height) {
   uint32_t span = width < height ? width : height;
   uint32_t longest = width < height ? height : width;
-  uint64_t tan_max = (uint64_t)camera->tan_half_fov_denominator << 16;
   fc_num focal, largest;
   int32_t shift;
   if (camera->fov_rule == FC_FOV_CENTRES)
     span = span > 1 ? span - 1 : 1;
   else if (camera->fov_rule != FC_FOV_EDGES)
     return FC_ERR_FORMAT;
-  if (camera->tan_half_fov_numerator == 0 || camera->tan_half_fov_denominator == 0 ||
-      camera->tan_half_fov_numerator > tan_max ||
-      (uint64_t)camera->tan_half_fov_numerator << 16 < camera->tan_half_fov_denominator)
-    return FC_ERR_FIELD_OF_VIEW;
+  if (!fc_view_tangent_valid(camera)) return FC_ERR_FIELD_OF_VIEW;
   /* 12 + 32 bits; F = span / tan, in half pixels */
   fc_num_set(&focal, (uint64_t)span * camera->tan_half_fov_denominator, 0);
   fc_num_over_u64(&focal, camera->tan_half_fov_numerator);

@@ -13,6 +13,9 @@
 /* Rows, eye and pixel directions from a camera (view->shift is set later); FC_OK or an error. */
 int fc_view_from_camera(fc_view *view, const fc_camera *camera, uint16_t width, uint16_t height);
 
+/* Whether a camera's field of view is within its range. */
+bool fc_view_tangent_valid(const fc_camera *camera);
+
 /* The world point v * 2^exponent in camera space, rounded to the camera grid; false when beyond 2^62 units. */
 bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponent, int64_t point[3]);
 

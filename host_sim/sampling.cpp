@@ -1,0 +1,112 @@
+/* The words for patterns, filters and lenses. */
+#include "sampling.h"
+
+#include <optional>
+
+#include "scene_file.h"
+
+namespace host {
+namespace {
+
+/* A word, and the number behind its colon. */
+struct Choice {
+  std::string name;
+  bool has_number = false;
+  std::optional<int> number; /* a plain decimal integer of up to 6 digits */
+};
+
+Choice split(const std::string &text) {
+  Choice choice;
+  const std::size_t colon = text.find(':');
+  choice.name = text.substr(0, colon);
+  if (colon == std::string::npos) return choice;
+  choice.has_number = true;
+  const std::string digits = text.substr(colon + 1);
+  if (!digits.empty() && digits.size() <= 6 && digits.find_first_not_of("0123456789") == std::string::npos)
+    choice.number = std::stoi(digits);
+  return choice;
+}
+
+[[noreturn]] void refuse_samples(const std::string &text) {
+  throw UserError("--samples " + text + " is not a pattern; give one, regular:N (N x N cells, 1 to 64), random:N (1 to 4096), "
+                  "jitter:N (a square: 1, 4, 9 .. 4096) or quincunx[:DEPTH] (0 to 6)");
+}
+
+void set_pattern(fc_sampling &how, const std::string &text) {
+  const Choice choice = split(text);
+  const int number = choice.number.value_or(0);
+  if (choice.has_number && !choice.number) refuse_samples(text);
+  if (choice.name == "one" && !choice.has_number) {
+    how.pattern = &fc_pattern_one;
+  } else if (choice.name == "regular" && number >= 1 && number <= FC_SAMPLE_SIDE_MAX) {
+    how.pattern = &fc_pattern_regular;
+    how.count = static_cast<std::uint16_t>(number);
+  } else if (choice.name == "random" && number >= 1 && number <= FC_SAMPLE_COUNT_MAX) {
+    how.pattern = &fc_pattern_random;
+    how.count = static_cast<std::uint16_t>(number);
+  } else if (choice.name == "jitter" && number >= 1) {
+    int side = 1;
+    while (side * side < number) side++;
+    if (side * side != number || side > FC_SAMPLE_SIDE_MAX) refuse_samples(text);
+    how.pattern = &fc_pattern_jittered;
+    how.count = static_cast<std::uint16_t>(side);
+  } else if (choice.name == "quincunx" && number <= FC_QUINCUNX_DEPTH_MAX) {
+    how.pattern = &fc_pattern_quincunx;
+    how.depth = static_cast<std::uint8_t>(choice.has_number ? number : 3);
+    how.threshold_q15 = 1024; /* 1/32 of white */
+  } else {
+    refuse_samples(text);
+  }
+}
+
+void set_lens(Sampling &sampling, const std::string &text, const fc_camera &camera) {
+  const Choice choice = split(text);
+  fc_lens &lens = sampling.how.lens;
+  if (choice.name == "pinhole" && !choice.has_number) {
+    lens = {&fc_lens_pinhole, nullptr};
+  } else if (choice.name == "orthographic" && !choice.has_number) {
+    const int error = fc_orthographic_of_camera(&sampling.orthographic, &camera);
+    if (error < 0) throw UserError(std::string("--lens orthographic: ") + fc_error_text(error));
+    lens = {&fc_lens_orthographic, &sampling.orthographic};
+  } else if (choice.name == "fisheye" && (!choice.has_number || (choice.number && *choice.number >= 1 && *choice.number <= 360))) {
+    const std::uint32_t degrees = static_cast<std::uint32_t>(choice.number.value_or(180));
+    sampling.fisheye.angle_q16 = (degrees * 65536u + 180u) / 360u;
+    lens = {&fc_lens_fisheye, &sampling.fisheye};
+  } else if (choice.name == "panorama" && !choice.has_number) {
+    lens = {&fc_lens_panorama, nullptr};
+  } else {
+    throw UserError("--lens " + text + " is not a lens; give pinhole, orthographic, fisheye[:DEGREES] (1 to 360) or panorama");
+  }
+}
+
+} // namespace
+
+void add_sampling_options(CLI::App &command, SamplingOptions &options) {
+  command
+      .add_option("--samples", options.samples,
+                  "rays a pixel: one, regular:N (N x N), random:N, jitter:N (N a square) or quincunx[:DEPTH] (adaptive; default "
+                  "depth 3); traced one by one")
+      ->type_name("PATTERN");
+  command.add_option("--filter", options.filter, "how they become a pixel: box (default) or tent")->type_name("FILTER");
+  command
+      .add_option("--lens", options.lens,
+                  "pinhole (default), orthographic (framed as the pinhole frames what it looks at), fisheye[:DEGREES] (default 180) or "
+                  "panorama (360 x 180 degrees)")
+      ->type_name("LENS");
+  command.add_option("--seed", options.seed, "of random and jitter: another seed, other places; default: 0")->type_name("N");
+}
+
+void set_sampling(Sampling &sampling, const SamplingOptions &options, const fc_camera &camera) {
+  sampling.wanted = !options.samples.empty() || !options.filter.empty() || !options.lens.empty();
+  if (!options.samples.empty()) set_pattern(sampling.how, options.samples);
+  if (!options.lens.empty()) set_lens(sampling, options.lens, camera);
+  sampling.how.seed = options.seed;
+  if (options.filter == "tent")
+    sampling.how.filter = FC_FILTER_TENT;
+  else if (!options.filter.empty() && options.filter != "box")
+    throw UserError("--filter takes box or tent, not \"" + options.filter + "\"");
+  if (sampling.how.pattern == &fc_pattern_quincunx && sampling.how.filter != FC_FILTER_BOX)
+    throw UserError("--filter tent: quincunx weighs its rays by area, which is the box; choose another pattern");
+}
+
+} // namespace host
