@@ -20,6 +20,7 @@
 #include "fixcast/framebuffer.h"
 #include "fixcast/panel.h"
 #include "fixcast/ray.h"
+#include "fixcast/reflect.h"
 #include "fixcast/render.h"
 #include "fixcast/rotation.h"
 #include "fixcast/scene.h"
