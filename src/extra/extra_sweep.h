@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { FC_TICKS = 1 << 16 };
+#define FC_TICKS INT32_C(65536)
 
 /* Whether there was contact at or before tick k of FC_TICKS; once true it stays so for greater k. */
 typedef bool (*fc_contact_by)(const void *motion, uint32_t k);
