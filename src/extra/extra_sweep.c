@@ -51,7 +51,7 @@ static bool plane_by(const void *motion, uint32_t k) {
   fc_i128 start = fc_i128_mul(m->start, FC_TICKS);
   fc_i128 now = fc_i128_add(fc_i128_mul(m->start, FC_TICKS - (int64_t)k), fc_i128_mul(m->end, (int64_t)k));
   fc_wide w;
-  if (fc_i128_sign(start) * fc_i128_sign(now) <= 0) return true; /* through it, or in it */
+  if (fc_i128_sign(start) * fc_i128_sign(now) < 0) return true; /* through it */
   if (fc_i128_compare(fc_i128_abs(start), fc_i128_abs(now)) < 0) now = start;
   fc_wide_start(&w);
   fc_wide_push(&w, &now);
