@@ -21,6 +21,7 @@
 #include "fixcast/material.h"
 #include "fixcast/panel.h"
 #include "fixcast/ray.h"
+#include "fixcast/reflect.h"
 #include "fixcast/render.h"
 #include "fixcast/rotation.h"
 #include "fixcast/sample.h"

@@ -111,7 +111,15 @@ void about_an_axis(Random &random) {
 /* Takes a to b by the shortest way: exact integers say what |a||b| cos and the axis are. */
 void between_directions(Random &random) {
   Vec a = any_axis(random), b = any_axis(random);
-  switch (random.within(0, 4)) {
+  switch (random.within(0, 5)) {
+    case 3: { /* next to each other, or to opposite, as long vectors can be: Fibonacci's numbers, |a x b| = 1 */
+      int64_t f[3] = {1, 1, 2}, n = random.within(0, 40), k = random.within(0, 2), side = random.flip() ? 1 : -1;
+      for (; n > 0; n--) f[0] = f[1], f[1] = f[2], f[2] = f[0] + f[1];
+      a = b = {0, 0, 0};
+      a[static_cast<int>(k)] = f[0], a[static_cast<int>((k + 1) % 3)] = f[1];
+      b[static_cast<int>(k)] = side * f[1], b[static_cast<int>((k + 1) % 3)] = side * f[2];
+      break;
+    }
     case 0: b = a + random.vec(2); break;  /* next to it */
     case 1: b = random.vec(2) - a; break;  /* next to its opposite */
     case 2: a = random.direction(8), b = a * random.within(1, 100000); break;
