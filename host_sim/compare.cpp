@@ -9,6 +9,7 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "progress.h"
 
@@ -44,7 +45,9 @@ public:
         frame_(frame),
         picture_(picture),
         lights_(file.lights.size()),
-        rows_(static_cast<std::size_t>(picture.height)) {}
+        rows_(static_cast<std::size_t>(picture.height)),
+        error_(picture.object.size()),
+        truth_{picture.width, picture.height, std::vector<std::uint8_t>(3 * picture.object.size())} {}
 
   Comparison run() {
     std::vector<std::thread> threads;
@@ -83,7 +86,7 @@ private:
       progress.update(done_);
   }
 
-  void compare_pixel(int x, int y, Row &row) const {
+  void compare_pixel(int x, int y, Row &row) {
     const std::size_t i =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(picture_.width) + static_cast<std::size_t>(x);
     const OraclePixel truth = oracle_.pixel(x, y);
@@ -113,6 +116,8 @@ private:
       row.sums.wrong.push_back(
           {x, y, best_rank == 0, picture_.object[i], first.object, picture_.lit[i], first.lit});
     }
+    error_[i] = static_cast<float>(best_error.largest);
+    for (std::size_t c = 0; c < 3; c++) truth_.rgb[3 * i + c] = static_cast<std::uint8_t>(std::lround(best->colour[c]));
     row.colour_square_sum += best_error.square_sum;
     row.sums.colour_max = std::max(row.sums.colour_max, best_error.largest);
     if (best_rank > 0 && best->depth > 0 && !picture_.depth.empty())
@@ -134,7 +139,7 @@ private:
     return std::fabs(frame_.depth_z(code) - true_z) / true_z;
   }
 
-  Comparison total() const {
+  Comparison total() {
     Comparison sum;
     double squares = 0;
     for (const Row &row : rows_) {
@@ -152,6 +157,8 @@ private:
       squares += row.colour_square_sum;
     }
     sum.colour_rmse = std::sqrt(squares / static_cast<double>(picture_.pixels.size()));
+    sum.error = std::move(error_);
+    sum.truth = std::move(truth_);
     return sum;
   }
 
@@ -160,6 +167,8 @@ private:
   const Picture &picture_;
   const std::size_t lights_;
   std::vector<Row> rows_;
+  std::vector<float> error_; /* these two and rows_: a row is one thread's */
+  Image8 truth_;
 
   std::atomic<bool> stop_{false};
   std::atomic<std::size_t> done_{0};

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "hierarchy.h"
 
@@ -102,18 +103,23 @@ void add_json_option(CLI::App &command, SceneOptions &options) {
 }
 
 LoadedScene load_scene(const SceneOptions &options) {
-  LoadedScene scene;
+  LoadedScene unread;
   /* What is typed wrong is said before a large file is read, except for the size the file may state. */
-  set_world_scale(scene.file, options.world_scale);
-  const std::uint8_t profile = to_profile(options.profile);
-  if (!options.size.empty()) set_size(scene, options.size);
-  scene.file = read_nff(options.scene);
+  set_world_scale(unread.file, options.world_scale);
+  (void)to_profile(options.profile);
+  if (!options.size.empty()) set_size(unread, options.size);
+  return prepare_scene(options, read_nff(options.scene));
+}
+
+LoadedScene prepare_scene(const SceneOptions &options, SceneFile file) {
+  LoadedScene scene;
+  scene.file = std::move(file);
   set_world_scale(scene.file, options.world_scale);
   set_size(scene, options.size);
   scene.core = to_core(scene.file);
   add_hierarchy(scene.core, options.bvh);
   scene.options = to_options(options.offset, scene.core.scene);
-  scene.options.profile = profile;
+  scene.options.profile = to_profile(options.profile);
   return scene;
 }
 

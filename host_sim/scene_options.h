@@ -37,6 +37,9 @@ void add_json_option(CLI::App &command, SceneOptions &options);
 /* Reads and converts the scene. Throws UserError. */
 LoadedScene load_scene(const SceneOptions &options);
 
+/* The same for a file that was read before, its camera or lights perhaps moved since. Throws UserError. */
+LoadedScene prepare_scene(const SceneOptions &options, SceneFile file);
+
 /* Throws UserError if writing `output` would replace the file `input`. */
 void check_not_same_file(const std::string &input, const std::string &output);
 
