@@ -45,36 +45,71 @@ IntVector regridded(const IntVector &v, int exponent) {
   return result;
 }
 
+/* A difference of two points in 2^30, its direction alone being wanted. Short ones keep all their bits. */
+IntVector halved(const IntVector &v) {
+  const bool large = std::any_of(v.begin(), v.end(), [](std::int64_t c) { return c > 1 << 30 || c < -(1 << 30); });
+  return large ? IntVector{v[0] / 2, v[1] / 2, v[2] / 2} : v;
+}
+
 /* A grid of world coordinates times 2^exponent, in world units. */
 int grid_of(const CoreScene &core, int exponent) {
   return core.scene.exponent - 16 + exponent;
 }
 
-/* Once around the target. */
+/* The middle of the box around everything finite, in world coordinates; `fallback` when there is nothing. */
+IntVector middle(const CoreScene &core, const IntVector &fallback) {
+  IntVector low{}, high{};
+  bool any = false;
+  const auto include = [&](const fc_vec3 &at, std::int64_t radius) {
+    const IntVector v = components(at);
+    for (std::size_t i = 0; i < 3; i++) {
+      low[i] = any ? std::min(low[i], v[i] - radius) : v[i] - radius;
+      high[i] = any ? std::max(high[i], v[i] + radius) : v[i] + radius;
+    }
+    any = true;
+  };
+  for (const fc_sphere &sphere : core.spheres) include(sphere.center, sphere.radius);
+  for (const fc_vec3 &vertex : core.vertices) include(vertex, 0);
+  if (!any) return fallback;
+  return {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2};
+}
+
+/* The whole view turns about a vertical line: through that point of the view's axis which is nearest to the middle of the scene, or, when
+ * that is behind the eye, through the target. Frame 0 is the scene as it is. */
 class Turn : public CameraPath {
 public:
-  Turn(const SceneFile &file, const CoreScene &core, bool lights_too)
-      : file_(file), grid_(grid_of(core, core.camera.exponent)), lights_too_(lights_too) {
+  Turn(const SceneFile &file, const CoreScene &core, bool lights_too) : file_(file), lights_too_(lights_too) {
     /* --world-scale stays in the file: coordinates are taken before it. */
     if (file.scale_numerator != 1 || file.scale_denominator != 1)
       throw UserError("--path and --world-scale exclude each other; scale the scene file");
-    eye_ = components(core.camera.eye);
-    target_ = components(core.camera.target);
+    /* The camera's grid may be finer than the scene's, on which everything else is, but then also too fine for that. */
+    const int exponent = std::max<int>(core.camera.exponent, 0);
+    grid_ = grid_of(core, exponent);
+    eye_ = regridded(components(core.camera.eye), core.camera.exponent - exponent);
+    target_ = regridded(components(core.camera.target), core.camera.exponent - exponent);
     axis_ = unit_q30(components(core.camera.up));
+    const IntVector centre = regridded(middle(core, target_), -exponent);
+    const IntVector view = unit_q30(halved(difference(target_, eye_)));
+    const IntVector to_centre = difference(centre, eye_);
+    std::int64_t along = 0; /* three products of 2^31 and 2^30, rounded down before they are added */
+    for (std::size_t i = 0; i < 3; i++) along += (to_centre[i] * view[i]) >> 30;
+    pivot_ = target_;
+    if (along > 0)
+      for (std::size_t i = 0; i < 3; i++) pivot_[i] = eye_[i] + (along / 2 * view[i] >> 29);
     for (const fc_light &light : core.lights) lights_.push_back({components(light.position), grid_of(core, light.exponent)});
   }
 
   SceneFile at(int frame, int frames) const override {
     SceneFile file = file_;
+    if (frame == 0) return file;
     const SineCosine angle = sine_cosine(frame, frames);
-    file.camera.from = grid_vector(sum(target_, turned(difference(eye_, target_), axis_, angle)), grid_);
-    file.camera.at = grid_vector(target_, grid_);
+    file.camera.from = about(pivot_, eye_, angle, grid_);
+    file.camera.at = about(pivot_, target_, angle, grid_);
     if (!lights_too_) return file;
     for (std::size_t i = 0; i < lights_.size(); i++) {
       /* On the coarser of the two grids. */
       const int grid = std::max(grid_, lights_[i].grid);
-      const IntVector centre = regridded(target_, grid_ - grid), position = regridded(lights_[i].position, lights_[i].grid - grid);
-      file.lights[i].position = grid_vector(sum(centre, turned(difference(position, centre), axis_, angle)), grid);
+      file.lights[i].position = about(regridded(pivot_, grid_ - grid), regridded(lights_[i].position, lights_[i].grid - grid), angle, grid);
     }
     return file;
   }
@@ -85,10 +120,14 @@ private:
     int grid;
   };
 
+  Vector about(const IntVector &pivot, const IntVector &point, const SineCosine &angle, int grid) const {
+    return grid_vector(sum(pivot, turned(difference(point, pivot), axis_, angle)), grid);
+  }
+
   SceneFile file_;
-  int grid_;
+  int grid_ = 0;
   bool lights_too_;
-  IntVector eye_{}, target_{}, axis_{};
+  IntVector eye_{}, target_{}, axis_{}, pivot_{};
   std::vector<GridPoint> lights_;
 };
 

@@ -31,7 +31,7 @@ public:
 
 /*
  * `name` is one of
- *   orbit       the camera once around what it looks at, about its up direction; lights stay
+ *   orbit       the camera once around what it sees, about its up direction; lights stay
  *   turntable   the scene turns, as seen by a camera and lights that stay: both go around it the other way
  *   a file      key frames (key_frames.h)
  * `core` is `file` as converted by to_core. Throws UserError.

@@ -34,6 +34,7 @@ int run(int argc, char **argv) {
   host::Action action;
   host::add_render_command(app, action);
   host::add_compare_command(app, action);
+  host::add_diff_command(app, action);
   host::add_pick_command(app, action);
   host::add_bake_command(app, action);
   host::add_depths_command(app, action);
