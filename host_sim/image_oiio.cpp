@@ -4,6 +4,9 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -68,6 +71,26 @@ void write(const std::string &path, OIIO::ImageSpec spec, OIIO::TypeDesc stored,
 [[noreturn]] void fail_read(const std::string &path, const std::string &reason, const std::string &advice) {
   throw UserError(path + ": cannot read: " + reason + "; " + advice);
 }
+
+/* Libraries below OpenImageIO print their complaints themselves, besides returning them: keeps stderr to one message. */
+class QuietStderr {
+public:
+  QuietStderr() : kept_(dup(STDERR_FILENO)) {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    if (kept_ >= 0 && nowhere >= 0) (void)dup2(nowhere, STDERR_FILENO);
+    if (nowhere >= 0) close(nowhere);
+  }
+  ~QuietStderr() {
+    if (kept_ < 0) return;
+    (void)dup2(kept_, STDERR_FILENO);
+    close(kept_);
+  }
+  QuietStderr(const QuietStderr &) = delete;
+  QuietStderr &operator=(const QuietStderr &) = delete;
+
+private:
+  int kept_;
+};
 
 SampleType sample_type(const std::string &path, OIIO::TypeDesc type) {
   switch (type.basetype) {
@@ -179,6 +202,7 @@ Raster read_raster(const std::string &path) {
   if (std::filesystem::is_directory(path, ignored)) fail_read(path, "this is a directory", "name a picture in it");
   Raster raster;
   if (read_if_pnm(path, raster)) return raster; /* OpenImageIO's own reader scales what is not 8 or 16 bits */
+  const QuietStderr quiet;
   OIIO::ImageSpec config;
   config["oiio:UnassociatedAlpha"] = 1; /* or colours come multiplied by alpha */
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &config);
