@@ -1,6 +1,6 @@
 # The front door for people. How things are built stands in CMakeLists.txt alone.
 .DEFAULT_GOAL := help
-.PHONY: help build demo test matrix report bench bench-update fuzz torture golden-update clean
+.PHONY: help build demo test matrix report bench bench-update fuzz torture golden-check golden-update clean
 BUILD := build
 FUZZ_SECONDS := 600
 MAKEFLAGS += --no-print-directory
@@ -61,9 +61,15 @@ torture: ## a thousand million seeded hard cases against exact oracles, resumabl
 	@$(BUILD)/tests/acne 10000000
 	@$(BUILD)/tests/torture --full --jobs 2 --state $(BUILD)/torture.state
 
-golden-update: ## rewrite tests/golden/crc.txt from what the simulator renders now
+golden-check: ## compare every scene with tests/golden; old, new and difference of what changed go to build/golden/SCENE.png
 	@.ci/install demo
 	@$(MAKE) build
+	@python3 tests/checks/golden_pictures.py $(BUILD)/fixcast $(BUILD)/golden && python3 tests/checks/golden.py $(BUILD)/fixcast
+
+golden-update: ## take what the simulator renders now as tests/golden, and show what changed in build/golden/SCENE.png
+	@.ci/install demo
+	@$(MAKE) build
+	@python3 tests/checks/golden_pictures.py --update $(BUILD)/fixcast $(BUILD)/golden
 	@python3 tests/checks/golden.py --update $(BUILD)/fixcast
 
 clean: ## remove everything that was built
