@@ -36,13 +36,14 @@ int run_bake(const BakeOptions &options) {
 void add_bake_command(CLI::App &app, Action &action) {
   const auto options = std::make_shared<BakeOptions>();
   CLI::App *command = app.add_subcommand("bake", "Write a scene as constant C tables for firmware");
-  command->add_option("scene", options->scene, "scene file (NFF)")->required()->type_name("SCENE");
+  command->add_option("scene", options->scene, "scene file: NFF, or a Wavefront model .obj")->required()->type_name("SCENE");
   command->add_option("-o,--output", options->output, "the C file to write")
       ->required()
       ->type_name("scene.c");
   command->add_option("--name", options->name, "C name of the scene; default: the scene's file name")
       ->type_name("NAME");
   add_bvh_option(*command, *options);
+  add_view_options(*command, *options);
   command->callback([&action, options] { action = [options] { return run_bake(*options); }; });
 }
 
