@@ -31,6 +31,7 @@
 
 #include "obj.h"
 #include "text_file.h"
+#include "triangulate.h"
 
 namespace host {
 namespace {
@@ -141,7 +142,7 @@ public:
     for (std::size_t f = 0; f < shape.mesh.num_face_vertices.size(); f++) {
       face_++;
       const std::size_t corners = shape.mesh.num_face_vertices[f];
-      if (corners >= 3) scene.polygons.push_back(polygon_of(shape, f, first, corners, object, scene.materials.size()));
+      if (corners >= 3) add_triangles(scene, polygon_of(shape, f, first, corners, object, scene.materials.size()));
       first += corners;
     }
   }
@@ -149,6 +150,24 @@ public:
 private:
   [[noreturn]] void fail_face(const std::string &sentence) const {
     fail(path_, "face " + std::to_string(face_) + " " + sentence);
+  }
+
+  /* A face need not be flat, but a polygon must. */
+  static void add_triangles(SceneFile &scene, const Polygon &face) {
+    if (face.vertices.size() == 3) {
+      scene.polygons.push_back(face);
+      return;
+    }
+    for (const std::array<int, 3> &corners : triangulate(face)) {
+      Polygon triangle;
+      triangle.material = face.material;
+      triangle.object = face.object;
+      for (const int corner : corners) {
+        triangle.vertices.push_back(face.vertices[static_cast<std::size_t>(corner)]);
+        if (!face.normals.empty()) triangle.normals.push_back(face.normals[static_cast<std::size_t>(corner)]);
+      }
+      scene.polygons.push_back(std::move(triangle));
+    }
   }
 
   Polygon polygon_of(const tinyobj::shape_t &shape, std::size_t face, std::size_t first, std::size_t corners, std::uint16_t object,
