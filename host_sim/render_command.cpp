@@ -16,6 +16,7 @@
 #include "frame_run.h"
 #include "gif.h"
 #include "image.h"
+#include "panel_view.h"
 #include "pnm.h"
 #include "progress.h"
 #include "report.h"
@@ -27,7 +28,7 @@ namespace host {
 namespace {
 
 struct RenderOptions : SceneOptions {
-  std::string frame_path, depth_path, show = "color", path;
+  std::string frame_path, depth_path, show = "color", path, display;
   std::vector<std::string> layers;
   int strip_rows = FC_SIZE_MAX, frames = 0, bits = 8, fps = 20;
 
@@ -86,6 +87,7 @@ Raster layers_of(const RenderedFrame &frame, const std::vector<std::string> &wan
 }
 
 Image8 picture_of(const RenderOptions &options, const RenderedFrame &frame) {
+  if (!options.display.empty()) return panel_picture(*find_panel(options.display), frame.pictures.rgb565);
   if (options.show == "color") return {frame.scene.width, frame.scene.height, frame.pictures.rgb888.pixels};
   return layer_picture(layers_of(frame, {options.show}), options.show);
 }
@@ -167,6 +169,7 @@ void check(const RenderOptions &options) {
   const std::string extension = image_extension(options.frame_path);
   if (options.bits == 16 && extension != ".png" && extension != ".tif" && extension != ".tiff")
     throw UserError("--bits 16 needs -o with a name that ends in .png or .tif");
+  if (!options.display.empty() && options.show != "color") throw UserError("--display and --show exclude each other; choose one");
   const bool sequence = is_sequence_name(options.frame_path);
   const bool depth_sequence = !options.depth_path.empty() && is_sequence_name(options.depth_path);
   if (options.path.empty()) {
@@ -201,6 +204,9 @@ void add_render_command(CLI::App &app, Action &action) {
   command->add_option("--show", options->show, "write this layer in colours instead of the frame")
       ->check(CLI::IsMember(layer_names()))
       ->type_name("LAYER");
+  command->add_option("--display", options->display, "write what this panel would show: its size, pixel format and dither")
+      ->check(CLI::IsMember(panel_names()))
+      ->type_name("PANEL");
   command
       ->add_option("--layers", options->layers,
                    "layers in an .exr, with commas between; default: all but error, which asks the oracle at every pixel")
@@ -230,6 +236,8 @@ void add_render_command(CLI::App &app, Action &action) {
     action = [options] {
       if (options->layers.empty()) options->layers = {"color", "depth", "normal", "id", "samples", "shadow"};
       if (!options->path.empty() && options->frames == 0) options->frames = 36;
+      if (const fc_panel *panel = find_panel(options->display); panel != nullptr && options->size.empty())
+        options->size = std::to_string(panel->width) + "x" + std::to_string(panel->height);
       check(*options);
       return options->path.empty() ? run_one(*options) : run_sequence(*options);
     };

@@ -80,7 +80,6 @@ SCENES_WRONG = (
     ("unknown falloff", GOOD + "#fc: falloff cubic\n", 12),
     ("unknown fc line", GOOD + "#fc: mirror 1\n", 12),
     ("unknown entity", GOOD + "torus 0 0 0 1 2\n", 12),
-    ("cone", GOOD + "c\n0 0 -4 1\n0 1 -4 0.5\n", 12),
 )
 
 # Reading is the same code for all commands, so a few of these do for the others than render.

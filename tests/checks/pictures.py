@@ -10,6 +10,7 @@ import pty
 import subprocess
 import sys
 import tempfile
+import zlib
 
 import picture_files
 from support import SCENES, Report, fixcast_json
@@ -240,6 +241,32 @@ def check_compare_picture(simulator, directory, report):
     report.check(wrong > 20, "the half profile is not wrong enough for this check")
 
 
+def check_display(simulator, directory, report):
+    """RGB565 panels show the very frame that the CRC is of; grey and monochrome ones only levels that they have, as bright on the whole."""
+    path = directory / "panel.png"
+    frame = fixcast_json(simulator, "render", S1, "--display", "st7735-128", "-o", path)
+    width, height, _, _, rows, _ = picture_files.png(path)
+    report.equal("size of the st7735-128", (128, 160), (width, height))
+    sent = bytearray()
+    for row in rows:
+        for x in range(width):
+            red, green, blue = (round(row[3 * x + c] * top / 255) for c, top in enumerate((31, 63, 31)))
+            sent += (red << 11 | green << 5 | blue).to_bytes(2, "big")
+    report.equal("CRC of what the panel shows", frame["crc32"], f"0x{zlib.crc32(sent):08x}")
+    run(simulator, "render", FLAKE, "--size", "128x64", "-o", path)
+    plain = [sum(w * row[3 * x + c] for c, w in enumerate((0.299, 0.587, 0.114))) for row in picture_files.png(path)[4] for x in range(128)]
+    for name, levels in (("ssd0323", set(range(0, 256, 17))), ("ssd1306", {0, 255})):
+        run(simulator, "render", FLAKE, "--display", name, "-o", path)
+        width, height, _, _, rows, _ = picture_files.png(path)
+        report.equal(f"size of the {name}", (128, 64), (width, height))
+        shown = [row[3 * x] for row in rows for x in range(128)]
+        report.check(set(shown) <= levels and len(set(shown)) == len(levels), f"levels of the {name}: {sorted(set(shown))}")
+        report.check(all(row[3 * x] == row[3 * x + 1] == row[3 * x + 2] for row in rows for x in range(128)), f"{name} is not grey")
+        for part in range(4): # blocks of rows, so that a picture upside down or shifted is noticed
+            cut = slice(part * 2048, part * 2048 + 2048)
+            report.at_most(f"brightness of rows {16 * part} and on, {name}", 6, abs(sum(shown[cut]) - sum(plain[cut])) / 2048)
+
+
 def check_progress(simulator, directory, report):
     """A bar with an estimate on a terminal, nothing in a pipe."""
     command = [simulator, "render", str(FLAKE), "--size", "200x200", "--path", "orbit", "--frames", "20", "-o", str(directory / "bar.gif")]
@@ -261,7 +288,7 @@ def check_progress(simulator, directory, report):
 
 def main(simulator):
     report = Report()
-    for check in (check_png, check_exr, check_depth, check_gif, check_paths, check_same_bytes, check_diff, check_compare_picture, check_progress):
+    for check in (check_png, check_exr, check_depth, check_gif, check_paths, check_same_bytes, check_diff, check_compare_picture, check_display, check_progress):
         with tempfile.TemporaryDirectory() as directory:
             check(simulator, pathlib.Path(directory), report)
     return report.finish()
