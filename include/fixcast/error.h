@@ -27,7 +27,8 @@ typedef enum fc_error {
   FC_ERR_PROFILE = -17,      /* unknown profile, or a field that is not 0 or 1 */
   FC_ERR_UNSUPPORTED = -18,  /* a display, panel or bus that cannot do what was asked */
   FC_ERR_AREA = -19,         /* an area that is empty, off the display or not aligned, or a pitch that is too small for it */
-  FC_ERR_BUS = -20           /* a bus that failed, or did not finish in time; ports with codes of their own return those */
+  FC_ERR_BUS = -20,          /* a bus that failed, or did not finish in time; ports with codes of their own return those */
+  FC_ERR_ROTATION = -21      /* a rotation that is not of unit length, or an entry of its matrix beyond 1 */
 } fc_error;
 
 /* A sentence for an error code, never NULL; the text is constant and lives as long as the program. */

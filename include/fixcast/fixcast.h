@@ -20,8 +20,11 @@
 #include "fixcast/framebuffer.h"
 #include "fixcast/panel.h"
 #include "fixcast/ray.h"
+#include "fixcast/reflect.h"
 #include "fixcast/render.h"
+#include "fixcast/rotation.h"
 #include "fixcast/scene.h"
 #include "fixcast/vec3.h"
+#include "fixcast/volume.h"
 
 #endif

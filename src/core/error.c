@@ -25,6 +25,7 @@ const char *fc_error_text(int error) {
     case FC_ERR_UNSUPPORTED: return "the display, panel or bus cannot do that";
     case FC_ERR_AREA: return "the area is empty, off the display or not aligned, or its pitch is too small";
     case FC_ERR_BUS: return "the bus failed or did not finish in time";
+    case FC_ERR_ROTATION: return "a rotation is not of unit length";
   }
   return "unknown error";
 }

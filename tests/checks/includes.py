@@ -53,6 +53,12 @@ def reason(root, path, name, system):
         if public or (system and name in FREESTANDING) or (not system and own(name, path.parent)):
             return None
         return "the core is freestanding and knows only itself"
+    if parts[:2] == ("src", "extra"):
+        if public or (system and name in FREESTANDING):
+            return None
+        if not system and (own(name, path.parent) or own(name, root / "src" / "core")):
+            return None
+        return "the extras are freestanding and know only the core"
     if parts[:2] == ("src", "panel"):
         if public or (system and name in FREESTANDING) or (not system and own(name, path.parent)):
             return None
@@ -83,6 +89,8 @@ def self_test():
         "include/fixcast/config.h": "#include <avr/pgmspace.h>\n",
         "src/core/inner.h": "",
         "src/core/core.c": '#include "inner.h"\n#include <string.h>\n#include "fixcast/a.h"\n',
+        "src/extra/more.h": "",
+        "src/extra/more.c": '#include "more.h"\n#include "inner.h"\n#include <stdint.h>\n#include "fixcast/a.h"\n',
         "src/panel/panel.c": '#include "fixcast/a.h"\n',
         "src/port/one/one.h": "",
         "src/port/one/main.c": '#include "one.h"\n#include <linux/spi/spidev.h>\n',
@@ -97,6 +105,11 @@ def self_test():
         ("src/core/core.c", '#include "../panel/panel.h"\n'),
         ("src/core/core.c", '#include "panel.h"\n'),
         ("src/core/core.c", "# include HEADER\n"),
+        ("src/core/core.c", '#include "more.h"\n'),
+        ("src/extra/more.c", "#include <stdlib.h>\n"),
+        ("src/extra/more.c", '#include "one.h"\n'),
+        ("src/panel/panel.c", '#include "more.h"\n'),
+        ("host_sim/main.cpp", '#include "more.h"\n'),
         ("include/fixcast/a.h", "#include <stdlib.h>\n"),
         ("include/fixcast/a.h", '#include "inner.h"\n'),
         ("include/fixcast/a.h", '#include "fixcast/missing.h"\n'),

@@ -8,7 +8,7 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { FIRST = FC_OK, LAST = FC_ERR_BUS };
+enum { FIRST = FC_OK, LAST = FC_ERR_ROTATION };
 
 static int same(const char *a, const char *b) {
   while (*a == *b && *a != '\0') {

@@ -1,0 +1,69 @@
+/* rotation.h: the same bits on every machine. What they should be, volume_rotation and volume_trackball ask long double. */
+#include "fixcast/rotation.h"
+
+#include "random.h"
+#include "unity.h"
+
+void setUp(void) {}
+void tearDown(void) {}
+
+static uint32_t hash;
+
+/* FNV-1a of a word, least significant byte first */
+static void add(int32_t v) {
+  uint8_t i;
+  for (i = 0; i < 32; i = (uint8_t)(i + 8)) hash = (hash ^ (((uint32_t)v >> i) & 255u)) * UINT32_C(16777619);
+}
+
+static void add_rotation(const fc_rotation *r) {
+  add(r->w);
+  add(r->x);
+  add(r->y);
+  add(r->z);
+}
+
+static fc_vec3 random_direction(void) {
+  fc_vec3 v;
+  v.x = random_any_size(28);
+  v.y = random_any_size(28);
+  v.z = random_any_size(28) | 1;
+  return v;
+}
+
+static void test_g15_rotations_have_the_same_bits_everywhere(void) {
+  fc_rotation all = FC_ROTATION_NONE, r;
+  fc_matrix m;
+  fc_vec3 axis, to, p;
+  int32_t mouse[5];
+  uint16_t i;
+  uint8_t j;
+  hash = UINT32_C(2166136261);
+  for (i = 0; i < 200; i++) {
+    add(fc_sin_q30((uint32_t)random_u64()));
+    axis = random_direction();
+    to = random_direction();
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_rotation_about(&r, &axis, (uint16_t)random_u64()));
+    add_rotation(&r);
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_rotation_compose(&all, &r, &all));
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_rotation_between(&r, &axis, &to));
+    add_rotation(&r);
+    for (j = 0; j < 5; j++) mouse[j] = j == 4 ? random_within(1, 500) : random_within(j == 1 ? -65535 : -300, 300);
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_trackball_drag(&r, mouse[0], mouse[1], mouse[2], mouse[3], mouse[4]));
+    add_rotation(&r);
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_rotation_compose(&all, &all, &r));
+    add_rotation(&all);
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_rotation_matrix(&m, &all));
+    for (j = 0; j < 9; j++) add(m.row[j / 3][j % 3]);
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_rotate_points(&p, &axis, 1, &m, &to));
+    add(p.x);
+    add(p.y);
+    add(p.z);
+  }
+  TEST_ASSERT_EQUAL_HEX32(UINT32_C(0x61C4C1C8), hash);
+}
+
+int main(void) {
+  UNITY_BEGIN();
+  RUN_TEST(test_g15_rotations_have_the_same_bits_everywhere);
+  return UNITY_END();
+}
