@@ -1,6 +1,6 @@
 # The front door for people. How things are built stands in CMakeLists.txt alone.
 .DEFAULT_GOAL := help
-.PHONY: help build demo test matrix firmware emulate flash report bench bench-update fuzz torture golden-update clean
+.PHONY: help build demo test matrix firmware emulate flash report bench bench-update fuzz torture golden-check golden-update clean
 BUILD := build
 FUZZ_SECONDS := 600
 MAKEFLAGS += --no-print-directory
@@ -64,7 +64,7 @@ fuzz: ## search for inputs that break the core or the scene reader, FUZZ_SECONDS
 	@.ci/install fuzz
 	@cmake -S tests/fuzz -B $(BUILD)/fuzz --log-level=WARNING >/dev/null
 	@cmake --build $(BUILD)/fuzz --parallel $(JOBS) >/dev/null
-	@python3 tests/fuzz/run.py --seconds $(FUZZ_SECONDS) --jobs $(JOBS) $(BUILD)/fuzz nff scene strips
+	@python3 tests/fuzz/run.py --seconds $(FUZZ_SECONDS) --jobs $(JOBS) $(BUILD)/fuzz nff obj view scene strips
 
 torture: ## a thousand million seeded hard cases against exact oracles, resumable (about 20 minutes)
 	@.ci/install test
@@ -73,9 +73,15 @@ torture: ## a thousand million seeded hard cases against exact oracles, resumabl
 	@$(BUILD)/tests/acne 10000000
 	@$(BUILD)/tests/torture --full --jobs 2 --state $(BUILD)/torture.state
 
-golden-update: ## rewrite tests/golden/crc.txt from what the simulator renders now
+golden-check: ## compare every scene with tests/golden; old, new and difference of what changed go to build/golden/SCENE.png
 	@.ci/install demo
 	@$(MAKE) build
+	@python3 tests/checks/golden_pictures.py $(BUILD)/fixcast $(BUILD)/golden && python3 tests/checks/golden.py $(BUILD)/fixcast
+
+golden-update: ## take what the simulator renders now as tests/golden, and show what changed in build/golden/SCENE.png
+	@.ci/install demo
+	@$(MAKE) build
+	@python3 tests/checks/golden_pictures.py --update $(BUILD)/fixcast $(BUILD)/golden
 	@python3 tests/checks/golden.py --update $(BUILD)/fixcast
 
 clean: ## remove everything that was built

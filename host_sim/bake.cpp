@@ -7,8 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "hierarchy.h"
-#include "report.h"
+#include "version.h"
 
 namespace host {
 namespace {
@@ -194,32 +193,17 @@ std::string c_reference(const std::string &field, const std::string &count, cons
          (empty ? "0" : "FC_COUNT_OF(" + table + ")") + ",\n";
 }
 
-template <typename T>
-std::size_t bytes(const std::vector<T> &table) {
-  return table.size() * sizeof(T);
-}
-
-std::size_t layer_bytes(const CoreScene &core) {
-  std::size_t sum = 0;
-  for (const std::unique_ptr<CoreLayers> &layers : core.layers) {
-    if (!layers) continue;
-    sum += bytes(layers->list) + bytes(layers->texels);
-    for (const fc_layer &layer : layers->list) {
-      if (layer.kind == &fc_layer_phong) sum += sizeof(fc_phong);
-      if (layer.kind == &fc_layer_mirror) sum += sizeof(fc_mirror);
-      if (layer.kind == &fc_layer_emission) sum += sizeof(fc_emission);
-      if (layer.kind == &fc_layer_texture)
-        sum += sizeof(fc_texture) + sizeof(fc_mapping) + (layers->texels.empty() ? sizeof(fc_checker) : sizeof(fc_image));
-    }
-  }
-  return sum;
-}
-
 /* A file name inside a comment: printable, and no trigraph. */
 std::string printable(std::string text) {
   for (char &c : text)
     if (c < ' ' || c > '~' || c == '?' || c == '\\') c = '_';
   return text;
+}
+
+std::string head_comment(const SceneFacts &facts) {
+  std::string text = "/*\n * Baked by fixcast " + std::string(version) + "; do not edit.\n *\n";
+  for (const std::string &line : fact_lines(facts)) text += " * " + printable(line) + "\n";
+  return text + " */\n";
 }
 
 } // namespace
@@ -245,22 +229,15 @@ bool is_c_name(const std::string &name) {
   return std::find(keywords.begin(), keywords.end(), name) == keywords.end();
 }
 
-std::string bake(const CoreScene &core, std::size_t frame_memory_bytes, const std::string &name,
-                 const std::string &source) {
+std::string bake_header(const SceneFacts &facts, const std::string &name) {
+  return head_comment(facts) + "#ifndef " + name + "_SCENE_H\n#define " + name + "_SCENE_H\n\n#include \"fixcast/fixcast.h\"\n\nextern const fc_scene " + name +
+         ";\nextern const fc_camera " + name + "_camera;\n\n#endif\n";
+}
+
+std::string bake(const CoreScene &core, const SceneFacts &facts, const std::string &name) {
   const fc_scene &scene = core.scene;
   const fc_camera &camera = core.camera;
-  const std::size_t flash = bytes(core.spheres) + bytes(core.planes) + bytes(core.vertices) +
-                            bytes(core.triangles) + bytes(core.materials) + bytes(core.lights) +
-                            bytes(core.normals) + bytes(core.uvs) + bytes(core.sky) + layer_bytes(core) + hierarchy_bytes(core);
-  std::string text;
-  text += "/*\n * Baked from " + printable(std::filesystem::path(source).filename().string()) +
-          "; do not edit.\n *\n";
-  text += " * " + count_text(core.spheres.size(), "sphere") + ", " + count_text(core.planes.size(), "plane") +
-          ", " + count_text(core.triangles.size(), "triangle") + ", " + std::to_string(core.vertices.size()) +
-          " vertices, " + count_text(core.materials.size(), "material") + ", " +
-          count_text(core.lights.size(), "light") + ".\n";
-  text += " * " + std::to_string(flash) + " bytes of flash for these tables; a frame needs " +
-          std::to_string(frame_memory_bytes) + " bytes of memory.\n */\n";
+  std::string text = head_comment(facts);
   text += "#include \"fixcast/fixcast.h\"\n\n";
   text += "extern const fc_scene " + name + ";\nextern const fc_camera " + name + "_camera;\n\n";
   text += c_table("fc_sphere", name + "_spheres", "centre, radius, material, object", core.spheres);

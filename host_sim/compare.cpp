@@ -9,6 +9,7 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "progress.h"
 
@@ -52,7 +53,9 @@ public:
         frame_(frame),
         picture_(picture),
         lights_(file.lights.size()),
-        rows_(static_cast<std::size_t>(picture.height)) {}
+        rows_(static_cast<std::size_t>(picture.height)),
+        error_(picture.object.size()),
+        truth_{picture.width, picture.height, std::vector<std::uint8_t>(3 * picture.object.size())} {}
 
   Comparison run() {
     std::vector<std::thread> threads;
@@ -91,7 +94,7 @@ private:
       progress.update(done_);
   }
 
-  void compare_pixel(int x, int y, Row &row) const {
+  void compare_pixel(int x, int y, Row &row) {
     const std::size_t i =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(picture_.width) + static_cast<std::size_t>(x);
     const OraclePixel truth = oracle_.pixel(x, y);
@@ -122,11 +125,11 @@ private:
           {x, y, best_rank == 0, picture_.object[i], first.object, picture_.lit[i], first.lit});
     }
     const fc_transfer *transfer = frame_.get().options.transfer;
-    if (best_rank == 2 && best_error.largest > 1) {
-      const std::array<double, 3> &c = best->colour;
-      row.sums.off.push_back({x, y, {rgb[0], rgb[1], rgb[2]},
-                              {encoded(c[0], transfer), encoded(c[1], transfer), encoded(c[2], transfer)}});
-    }
+    std::array<double, 3> shown{};
+    for (std::size_t c = 0; c < 3; c++) shown[c] = encoded(best->colour[c], transfer);
+    if (best_rank == 2 && best_error.largest > 1) row.sums.off.push_back({x, y, {rgb[0], rgb[1], rgb[2]}, shown});
+    error_[i] = static_cast<float>(best_error.largest);
+    for (std::size_t c = 0; c < 3; c++) truth_.rgb[3 * i + c] = static_cast<std::uint8_t>(std::lround(shown[c]));
     row.colour_square_sum += best_error.square_sum;
     row.sums.colour_max = std::max(row.sums.colour_max, best_error.largest);
     if (best_rank > 0 && best->depth > 0 && !picture_.depth.empty())
@@ -148,7 +151,7 @@ private:
     return std::fabs(frame_.depth_z(code) - true_z) / true_z;
   }
 
-  Comparison total() const {
+  Comparison total() {
     Comparison sum;
     double squares = 0;
     for (const Row &row : rows_) {
@@ -168,6 +171,8 @@ private:
       squares += row.colour_square_sum;
     }
     sum.colour_rmse = std::sqrt(squares / static_cast<double>(picture_.pixels.size()));
+    sum.error = std::move(error_);
+    sum.truth = std::move(truth_);
     return sum;
   }
 
@@ -176,6 +181,8 @@ private:
   const Picture &picture_;
   const std::size_t lights_;
   std::vector<Row> rows_;
+  std::vector<float> error_; /* these two and rows_: a row is one thread's */
+  Image8 truth_;
 
   std::atomic<bool> stop_{false};
   std::atomic<std::size_t> done_{0};

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "frame_run.h"
+#include "image.h"
 #include "oracle.h"
 
 namespace host {
@@ -42,6 +43,8 @@ struct Comparison {
   std::size_t escalated = 0, ties = 0;
   std::vector<WrongPixel> wrong;
   std::vector<WrongColour> off; /* the pixels of wrong_colour */
+  std::vector<float> error; /* a pixel: the largest error of a colour channel, 8-bit levels */
+  Image8 truth;             /* the oracle's picture, rounded to 8 bits */
 };
 
 /* Whether light masks, the core's and the oracle's, agree; with more than 32 lights the core's last bit

@@ -66,7 +66,7 @@ struct Material {
 };
 
 /* `object` is the id a pixel reports: 1 for the first entity of the file, then counting up, an entity being
- * one s, p, pp or "#fc: plane" line; "#fc: object N" gives N to every entity up to the next such line.
+ * one s, p, pp, c or "#fc: plane" line; "#fc: object N" gives N to every entity up to the next such line.
  * 0 is the background. */
 struct Sphere {
   Vector center;
@@ -111,6 +111,7 @@ struct Camera {
   Vector from, at, up;
   Number angle_degrees;
   std::optional<Number> tan_half_fov;
+  Number hither; /* NFF's near plane, for renderers with a z-buffer; rays start at the eye and don't need it */
   int line = 0;
 };
 
@@ -125,6 +126,7 @@ enum class Falloff { none, inverse_square };
 
 struct SceneFile {
   std::string path;
+  std::vector<std::string> warnings; /* what was read otherwise than its author may think; one sentence each */
   Rgb background;
   std::optional<Gradient> gradient;
   Rgb ambient;          /* default 0.1 0.1 0.1 */
@@ -136,6 +138,8 @@ struct SceneFile {
   std::vector<Plane> planes;
   std::vector<Polygon> polygons;
   std::vector<Light> lights;
+  int cones = 0;              /* that became polygons (cone_mesh.h), */
+  long double cone_error = 0; /* none of which is farther from its cone than this part of the cone's larger radius */
   int width = 0, height = 0; /* the file's "resolution", 0 when absent */
   /* --world-scale N/D: every length (positions, radii, d, far) is to be multiplied by this; with inverse-square
    * falloff light intensities are multiplied by its square, so that the picture stays the same. */

@@ -64,6 +64,13 @@ std::optional<int> own_exponent(std::initializer_list<Triple> vectors, int unit,
   return 0;
 }
 
+/* Whether the corners are on one line: differences have 31 bits, products 62. */
+bool is_flat(const std::array<fc_vec3, 3> &c) {
+  const std::int64_t ax = std::int64_t{c[1].x} - c[0].x, ay = std::int64_t{c[1].y} - c[0].y, az = std::int64_t{c[1].z} - c[0].z;
+  const std::int64_t bx = std::int64_t{c[2].x} - c[0].x, by = std::int64_t{c[2].y} - c[0].y, bz = std::int64_t{c[2].z} - c[0].z;
+  return ay * bz == az * by && az * bx == ax * bz && ax * by == ay * bx;
+}
+
 Triple values(const Vector &v) {
   return {v.x.value, v.y.value, v.z.value};
 }
@@ -89,6 +96,7 @@ public:
     for (const Light &l : file_.lights)
       add(l);
     set_camera();
+    count_edges();
     split_triangles();
     finish_scene();
     return std::move(out_);
@@ -296,9 +304,9 @@ private:
     return {q(uv[0]), q(uv[1])};
   }
 
-  std::uint16_t vertex(const Polygon &p, std::size_t i) {
+  /* A polygon's corner, which stands at q on the grid. */
+  std::uint16_t vertex(const Polygon &p, std::size_t i, const fc_vec3 &q) {
     const int line = p.line;
-    const fc_vec3 q = on_grid(scaled(p.vertices.at(i)), unit_);
     const fc_normal n = p.normals.empty() ? fc_normal{} : unit_q14(values(p.normals.at(i)));
     const fc_uv t = p.uvs.empty() ? fc_uv{} : uv_q16(p.uvs.at(i));
     const std::array<std::int32_t, 8> key = {q.x, q.y, q.z, n.x, n.y, n.z, t.u, t.v};
@@ -317,11 +325,18 @@ private:
   void add(const Polygon &p) {
     if (p.vertices.size() > FC_PRIMITIVES_MAX) reserve_primitives(p.vertices.size(), p.line);
     const std::vector<std::array<int, 3>> triangles = triangulate(p);
-    reserve_primitives(triangles.size(), p.line);
     for (const std::array<int, 3> &t : triangles) {
+      std::array<fc_vec3, 3> corners{};
+      for (std::size_t i = 0; i < 3; i++)
+        corners[i] = on_grid(scaled(p.vertices.at(static_cast<std::size_t>(t[i]))), unit_);
+      if (is_flat(corners)) {
+        out_.mesh.dropped++;
+        continue;
+      }
+      reserve_primitives(1, p.line);
       fc_triangle triangle{};
       for (std::size_t i = 0; i < 3; i++)
-        triangle.vertex[i] = vertex(p, static_cast<std::size_t>(t[i]));
+        triangle.vertex[i] = vertex(p, static_cast<std::size_t>(t[i]), corners[i]);
       triangle.material = material(p.material, !p.normals.empty());
       triangle.object = p.object;
       out_.triangles.push_back(triangle);
@@ -368,6 +383,20 @@ private:
     light.intensity = q15(c, 65535, l.line, "the light's colour");
     light.intensity_exponent = static_cast<std::int8_t>(e);
     out_.lights.push_back(light);
+  }
+
+  /* Of an object's triangles; equal vertices are one here. */
+  void count_edges() {
+    std::map<std::tuple<std::uint16_t, std::uint16_t, std::uint16_t>, int> edges;
+    for (const fc_triangle &t : out_.triangles)
+      for (std::size_t i = 0; i < 3; i++) {
+        const std::uint16_t a = t.vertex[i], b = t.vertex[(i + 1) % 3];
+        edges[{t.object, std::min(a, b), std::max(a, b)}]++;
+      }
+    for (const auto &[edge, uses] : edges) {
+      if (uses == 1) out_.mesh.boundary_edges++;
+      if (uses > 2) out_.mesh.non_manifold_edges++;
+    }
   }
 
   /* Runs of closed meshes and of everything else, in the author's order, each with vertices of its own. A table costs

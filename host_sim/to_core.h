@@ -40,6 +40,13 @@ struct CoreLayers {
   std::vector<std::uint8_t> texels;
 };
 
+/* What is to be known of the triangles as a mesh, edges counted within each object. */
+struct MeshCounts {
+  std::size_t dropped = 0;            /* triangles without area on the core's grid: never hit, left out */
+  std::size_t boundary_edges = 0;     /* of one triangle */
+  std::size_t non_manifold_edges = 0; /* of more than two */
+};
+
 /* The core's tables and the memory they live in. Moving keeps the pointers inside; copying would not. */
 struct CoreScene {
   CoreScene() = default;
@@ -64,6 +71,7 @@ struct CoreScene {
   std::vector<fc_sky> sky; /* one, or none */
   fc_scene scene{};
   fc_camera camera{};
+  MeshCounts mesh;
 };
 
 /* Throws UserError, with file and line, when the scene doesn't fit the core's ranges. */

@@ -45,8 +45,12 @@ FC_COLD void fc_sample_trace(const fc_sampler *sampler, const int32_t place_q16[
       fc_shade(frame, &sampler->space, &surface, seen->radiance_q39, &seen->lit);
       return;
     }
+  } else {
+    /* outside a lens's picture: the sky straight ahead */
+    direction[0] = direction[1] = 0;
+    direction[2] = 1;
   }
-  fc_shade_background(frame, seen->radiance_q39);
+  fc_shade_background(frame, direction, seen->radiance_q39);
 }
 
 FC_COLD void fc_sample_put(const fc_sampler *sampler, uint16_t x, uint16_t row, const uint64_t radiance_q39[3], uint16_t count,

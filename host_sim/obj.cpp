@@ -1,0 +1,238 @@
+/*
+ * Reads Wavefront OBJ by tinyobjloader: polygons, normals, groups as objects, diffuse colours of materials.
+ *
+ * The numbers are the doubles that tinyobjloader reads, written out exactly; the core and the oracle take these. A file names no camera and
+ * no light: the caller puts them in (auto_view.h).
+ */
+#define TINYOBJLOADER_USE_DOUBLE
+#define TINYOBJLOADER_IMPLEMENTATION
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#endif
+#include <tiny_obj_loader.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <istream>
+#include <map>
+#include <sstream>
+#include <streambuf>
+#include <utility>
+
+#include "obj.h"
+#include "text_file.h"
+#include "triangulate.h"
+
+namespace host {
+namespace {
+
+constexpr std::size_t max_faces = 65535, max_corners = 65535, max_line_bytes = 65536;
+constexpr double max_coordinate = 1e30;
+
+[[noreturn]] void fail(const std::string &path, const std::string &sentence) {
+  throw UserError(path + ": " + sentence);
+}
+
+[[noreturn]] void fail(const std::string &path, std::size_t line, const std::string &sentence) {
+  throw UserError(path + ":" + std::to_string(line) + ": " + sentence);
+}
+
+/* What makes a text no OBJ, or one too large, is found before tinyobjloader builds anything from it. */
+void check_lines(const std::string &path, std::string_view text) {
+  std::size_t faces = 0, number = 0;
+  while (!text.empty()) {
+    number++;
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.size() > max_line_bytes)
+      fail(path, number, "a line of more than 65536 characters; save the model as plain text");
+    for (const char c : line) {
+      const auto byte = static_cast<unsigned char>(c);
+      if ((byte < 0x20 && byte != '\t' && byte != '\r') || byte == 0x7f)
+        fail(path, number, "not a text file; save the model as Wavefront OBJ");
+    }
+    const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
+    const std::string_view word = line.substr(first, 2);
+    if ((word == "f " || word == "f\t") && ++faces > max_faces)
+      fail(path, number, "more than 65535 faces; simplify the model");
+  }
+}
+
+/* A read-only stream over bytes that stay where they are: no second copy of a large file. */
+class Bytes : public std::streambuf {
+public:
+  explicit Bytes(std::string_view text) {
+    char *const begin = const_cast<char *>(text.data()); /* only read from */
+    setg(begin, begin, begin + text.size());
+  }
+};
+
+/* Materials from beside the model; what is missing is told, and grey. */
+class Materials : public tinyobj::MaterialReader {
+public:
+  Materials(std::string directory, std::vector<std::string> &warnings) : directory_(std::move(directory)), warnings_(warnings) {}
+
+  bool operator()(const std::string &name, std::vector<tinyobj::material_t> *materials, std::map<std::string, int> *index,
+                  std::string *, std::string *) override {
+    const std::string path = (std::filesystem::path(directory_) / name).string();
+    std::ifstream file;
+    std::error_code ignored;
+    if (!directory_.empty() && std::filesystem::is_regular_file(path, ignored)) file.open(path);
+    if (!file.is_open()) {
+      warnings_.push_back("cannot open the material file " + name + "; its materials are grey");
+      return false;
+    }
+    std::string warning, error;
+    tinyobj::LoadMtl(index, materials, &file, &warning, &error);
+    return true;
+  }
+
+private:
+  std::string directory_;
+  std::vector<std::string> &warnings_;
+};
+
+/* The shortest decimals that read back as this double. */
+Number number_of(double value) {
+  if (value == 0) return Number{};
+  char text[40];
+  for (int digits = 6; digits <= 17; digits++) {
+    (void)std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (std::strtod(text, nullptr) == value) break;
+  }
+  return {text, std::strtold(text, nullptr)};
+}
+
+Rgb colour_of(const double *rgb) {
+  std::array<Number, 3> c;
+  for (std::size_t i = 0; i < 3; i++) c[i] = number_of(rgb[i] > 0 ? std::min(rgb[i], 1.0) : 0.0);
+  return {c[0], c[1], c[2]};
+}
+
+Material material_of(const double *rgb) {
+  Material material;
+  material.colour = colour_of(rgb);
+  material.kd = {"1", 1};
+  return material;
+}
+
+class Converter {
+public:
+  Converter(const std::string &path, const tinyobj::attrib_t &attributes) : path_(path), attributes_(attributes) {}
+
+  void add_materials(SceneFile &scene, const std::vector<tinyobj::material_t> &materials) const {
+    const double grey[3] = {0.8, 0.8, 0.8};
+    scene.materials.push_back(material_of(grey)); /* of faces without one */
+    for (const tinyobj::material_t &material : materials) scene.materials.push_back(material_of(material.diffuse));
+  }
+
+  void add_shape(SceneFile &scene, const tinyobj::shape_t &shape, std::uint16_t object) {
+    std::size_t first = 0;
+    for (std::size_t f = 0; f < shape.mesh.num_face_vertices.size(); f++) {
+      face_++;
+      const std::size_t corners = shape.mesh.num_face_vertices[f];
+      if (corners >= 3) add_triangles(scene, polygon_of(shape, f, first, corners, object, scene.materials.size()));
+      first += corners;
+    }
+  }
+
+private:
+  [[noreturn]] void fail_face(const std::string &sentence) const {
+    fail(path_, "face " + std::to_string(face_) + " " + sentence);
+  }
+
+  /* A face need not be flat, but a polygon must. */
+  static void add_triangles(SceneFile &scene, const Polygon &face) {
+    if (face.vertices.size() == 3) {
+      scene.polygons.push_back(face);
+      return;
+    }
+    for (const std::array<int, 3> &corners : triangulate(face)) {
+      Polygon triangle;
+      triangle.material = face.material;
+      triangle.object = face.object;
+      for (const int corner : corners) {
+        triangle.vertices.push_back(face.vertices[static_cast<std::size_t>(corner)]);
+        if (!face.normals.empty()) triangle.normals.push_back(face.normals[static_cast<std::size_t>(corner)]);
+      }
+      scene.polygons.push_back(std::move(triangle));
+    }
+  }
+
+  Polygon polygon_of(const tinyobj::shape_t &shape, std::size_t face, std::size_t first, std::size_t corners, std::uint16_t object,
+                     std::size_t materials) const {
+    if (corners > max_corners || first + corners > shape.mesh.indices.size()) fail_face("has more than 65535 corners; split it");
+    Polygon polygon;
+    polygon.object = object;
+    const int material = face < shape.mesh.material_ids.size() ? shape.mesh.material_ids[face] : -1;
+    polygon.material = material >= 0 && static_cast<std::size_t>(material) + 1 < materials ? material + 1 : 0;
+    bool with_normals = true;
+    for (std::size_t i = 0; i < corners; i++) {
+      const tinyobj::index_t &index = shape.mesh.indices[first + i];
+      polygon.vertices.push_back(triple(attributes_.vertices, index.vertex_index, "a vertex"));
+      with_normals = with_normals && index.normal_index >= 0;
+      if (with_normals) polygon.normals.push_back(triple(attributes_.normals, index.normal_index, "a normal"));
+    }
+    if (!with_normals) polygon.normals.clear();
+    return polygon;
+  }
+
+  Vector triple(const std::vector<double> &from, int index, const char *what) const {
+    if (index < 0 || static_cast<std::size_t>(index) >= from.size() / 3)
+      fail_face(std::string("names ") + what + " that does not exist; correct its numbers");
+    const std::size_t at = 3 * static_cast<std::size_t>(index);
+    for (std::size_t i = 0; i < 3; i++)
+      if (!(std::fabs(from[at + i]) <= max_coordinate))
+        fail_face(std::string("names ") + what + " with a coordinate that is no number or beyond 1e30; correct it");
+    return {number_of(from[at]), number_of(from[at + 1]), number_of(from[at + 2])};
+  }
+
+  const std::string &path_;
+  const tinyobj::attrib_t &attributes_;
+  std::size_t face_ = 0;
+};
+
+} // namespace
+
+SceneFile read_obj_text(const std::string &name, std::string_view text, const std::string &material_directory) {
+  check_lines(name, text);
+  SceneFile scene;
+  scene.path = name;
+  Materials reader(material_directory, scene.warnings);
+  tinyobj::attrib_t attributes;
+  std::vector<tinyobj::shape_t> shapes;
+  std::vector<tinyobj::material_t> materials;
+  std::string warning, error;
+  Bytes bytes(text);
+  std::istream stream(&bytes);
+  if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, &reader, false, false)) {
+    std::replace(error.begin(), error.end(), '\n', ' ');
+    fail(name, "not a readable OBJ: " + error + "; save the model again");
+  }
+  Converter converter(name, attributes);
+  converter.add_materials(scene, materials);
+  if (shapes.size() > 65535) fail(name, "more than 65535 groups; merge some");
+  for (std::size_t i = 0; i < shapes.size(); i++) converter.add_shape(scene, shapes[i], static_cast<std::uint16_t>(i + 1));
+  if (scene.polygons.empty()) fail(name, "no faces; a model needs lines f");
+  const bool textured = std::any_of(materials.begin(), materials.end(), [](const tinyobj::material_t &m) { return !m.diffuse_texname.empty(); });
+  if (textured) scene.warnings.emplace_back("textures are not drawn; their materials show Kd alone");
+  return scene;
+}
+
+SceneFile read_obj(const std::string &path) {
+  const std::string directory = std::filesystem::path(path).parent_path().string();
+  return read_obj_text(path, load_text(path), directory.empty() ? "." : directory);
+}
+
+} // namespace host
