@@ -45,7 +45,7 @@ typedef struct fc_bus_ops {
   int (*wait_vsync)(void *context);
 } fc_bus_ops;
 
-/* `ops` may live in flash. The context is the port's and must live as long as anything that uses the bus. */
+/* `ops` is constant data that can be read through a pointer (on AVR: not PROGMEM). The context is the port's and must live as long as anything that uses the bus. */
 typedef struct fc_bus {
   const fc_bus_ops *ops;
   void *context;

@@ -33,7 +33,7 @@ typedef struct fc_area {
 typedef struct fc_display_capabilities {
   uint16_t width, height;    /* pixels */
   uint8_t format;            /* fc_display_format */
-  uint8_t x_align, y_align;  /* an area's x and width, y and height are multiples of these (1, 2 or 8) */
+  uint8_t x_align, y_align;  /* an area's x and width, y and height are multiples of these (1, 2, 4 or 8) */
   uint8_t asynchronous;      /* 1: write_start returns before the pixels have left; 0: it is write */
   uint8_t has_flush, has_backlight, has_vsync; /* 1: the operation does something; 0: it returns FC_ERR_UNSUPPORTED */
 } fc_display_capabilities;
