@@ -1,11 +1,14 @@
 # The front door for people. How things are built stands in CMakeLists.txt alone.
 .DEFAULT_GOAL := help
-.PHONY: help build demo test matrix report bench bench-update fuzz torture golden-update clean
+.PHONY: help build demo test matrix firmware emulate flash report bench bench-update fuzz torture golden-update clean
 BUILD := build
 FUZZ_SECONDS := 600
 MAKEFLAGS += --no-print-directory
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 CONFIGURE := cmake -S . -B $(BUILD) --log-level=WARNING
+
+# What stands in src/port/tools; packages only once there is a board to build for.
+board = $(if $(strip $(BOARD)),.ci/install $(2) &&) python3 src/port/tools/board.py $(1) $(BOARD)
 
 help: ## show this list
 	@echo "make TARGET:"
@@ -32,6 +35,15 @@ matrix: ## a table of the CRCs that every compiler, option and machine gives (tw
 	@$(CONFIGURE) >/dev/null
 	@cmake --build $(BUILD) --parallel $(JOBS) --target baked_scenes >/dev/null
 	@python3 tests/matrix/matrix.py --baked $(BUILD)/baked --work $(BUILD)/matrix --jobs $(JOBS)
+
+firmware: ## build the demo for a board, BOARD=NAME (without: the list), into build/firmware/NAME
+	@$(call board,build,firmware)
+
+emulate: ## run a board's demo in an emulator: build/emulate/NAME.png is what its panel shows, NAME.log what it says
+	@$(call board,emulate,firmware)
+
+flash: ## bring a board's demo onto the board that is connected
+	@$(call board,flash,firmware)
 
 report: ## rewrite docs/REPORT.md and its plots from what `make bench` counted, and the accuracy of every scene
 	@.ci/install report

@@ -57,7 +57,14 @@ def reason(root, path, name, system):
         if public or (system and name in FREESTANDING) or (not system and own(name, path.parent)):
             return None
         return "panels know public headers only: no port, no core internals"
+    if parts[:2] == ("src", "firmware"):
+        scene = not system and own(name, root / "host_sim" / "scenes")
+        if public or scene or (system and name in FREESTANDING) or (not system and own(name, path.parent)):
+            return None
+        return "firmware knows public headers, scenes as tables and itself: no port, no core or panel internals"
     if parts[:2] == ("src", "port"):
+        if not system and name == "firmware.h" and (root / "src" / "firmware" / name).is_file():
+            return None
         return None if system or public or own(name, path.parent) else "a port knows no other port and no internals"
     if parts[0] == "host_sim":
         if path.name.startswith("oracle") and public:
@@ -84,10 +91,14 @@ def self_test():
         "src/core/inner.h": "",
         "src/core/core.c": '#include "inner.h"\n#include <string.h>\n#include "fixcast/a.h"\n',
         "src/panel/panel.c": '#include "fixcast/a.h"\n',
+        "src/firmware/firmware.h": "",
+        "src/firmware/run.h": "",
+        "src/firmware/run.c": '#include "firmware.h"\n#include "run.h"\n#include "fixcast/a.h"\n#include "scene.h"\n',
         "src/port/one/one.h": "",
-        "src/port/one/main.c": '#include "one.h"\n#include <linux/spi/spidev.h>\n',
+        "src/port/one/main.c": '#include "one.h"\n#include <linux/spi/spidev.h>\n#include "firmware.h"\n',
         "src/port/two/two.h": "",
         "host_sim/main.cpp": '#include <vector>\n#include "fixcast/a.h"\n#include "oracle.h"\n',
+        "host_sim/scenes/scene.h": "",
         "host_sim/oracle.h": "// #include \"fixcast/a.h\"\n",
     }
     broken = [
@@ -104,6 +115,14 @@ def self_test():
         ("src/panel/panel.c", '#include "inner.h"\n'),
         ("src/panel/panel.c", '#include "one.h"\n'),
         ("src/panel/panel.c", "#include <linux/spi/spidev.h>\n"),
+        ("src/firmware/run.c", '#include "inner.h"\n'),
+        ("src/firmware/run.c", '#include "one.h"\n'),
+        ("src/firmware/run.c", '#include "oracle.h"\n'),
+        ("src/firmware/run.c", "#include <stdio.h>\n"),
+        ("src/core/core.c", '#include "firmware.h"\n'),
+        ("src/panel/panel.c", '#include "firmware.h"\n'),
+        ("src/port/one/main.c", '#include "run.h"\n'),
+        ("src/port/one/main.c", '#include "inner.h"\n'),
         ("src/port/one/main.c", '#include "two.h"\n'),
         ("src/port/one/main.c", '#include "../two/two.h"\n'),
         ("host_sim/main.cpp", '#include "inner.h"\n'),
