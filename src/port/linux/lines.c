@@ -74,7 +74,7 @@ static void search_lines(search *s, const char *path, const fc_gpio_chip *chip) 
     if (s->by_name++ == 0) found(s, path, offset);
   }
   if (named == 0 && chip->lines != 0) {
-    char range[2 * FC_GPIO_TEXT];
+    char range[3 * FC_GPIO_TEXT];
     (void)snprintf(range, sizeof range, "%s:0 to %s:%u", chip->label, chip->label, chip->lines - 1);
     mention(s->known, sizeof s->known, range);
   }
