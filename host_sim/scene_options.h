@@ -27,8 +27,10 @@ struct LoadedScene {
   int width = 0, height = 0;
 };
 
-/* SCENE, --size and --world-scale. */
+/* SCENE, --size, --world-scale and --bvh. */
 void add_scene_options(CLI::App &command, SceneOptions &options);
+/* The same without --size, for those whose frames have a size of their own; returns SCENE, which may be made optional. */
+CLI::Option *add_sized_scene_options(CLI::App &command, SceneOptions &options);
 void add_offset_option(CLI::App &command, SceneOptions &options);
 void add_profile_option(CLI::App &command, SceneOptions &options);
 void add_bvh_option(CLI::App &command, SceneOptions &options);
