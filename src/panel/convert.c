@@ -33,7 +33,7 @@ static uint16_t luma(uint16_t pixel) {
 
 static uint8_t grey4(uint16_t pixel, uint8_t b) {
   const uint16_t scaled = (uint16_t)(15u * luma(pixel)); /* at most 63360 */
-  const uint16_t level = scaled / LUMA_MAX, rest = scaled % LUMA_MAX;
+  const uint16_t level = (uint16_t)(scaled / LUMA_MAX), rest = (uint16_t)(scaled % LUMA_MAX);
   return (uint8_t)(level + (rest >= LUMA_MAX / 128u * missing(b)));
 }
 
@@ -42,7 +42,7 @@ static bool white(uint16_t pixel, uint8_t b) { return luma(pixel) >= LUMA_MAX / 
 /* n = 15: 15 v / m, the remainder at most 62, times 128 at most 7936. */
 static uint8_t channel4(uint8_t value, uint8_t max, uint8_t b) {
   const uint16_t scaled = (uint16_t)(15u * value);
-  const uint16_t level = scaled / max, rest = scaled % max;
+  const uint16_t level = (uint16_t)(scaled / max), rest = (uint16_t)(scaled % max);
   return (uint8_t)(level + (rest * 128u >= (uint16_t)(missing(b) * (uint16_t)max)));
 }
 
