@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "atomic_file.h"
 #include "commands.h"
 #include "frame_run.h"
 #include "image.h"
@@ -16,7 +18,7 @@ namespace host {
 namespace {
 
 struct RenderOptions : SceneOptions {
-  std::string frame_path, depth_path;
+  std::string frame_path, depth_path, panel_path;
   int strip_rows = FC_SIZE_MAX;
 };
 
@@ -39,10 +41,16 @@ std::vector<std::uint16_t> depth_greys(std::vector<std::uint16_t> codes) {
 }
 
 int run_render(const RenderOptions &options) {
-  if (!options.frame_path.empty() && options.frame_path == options.depth_path)
-    throw UserError(options.frame_path + ": -o and --depth name the same file; choose two");
-  for (const std::string &path : {options.frame_path, options.depth_path})
-    if (!path.empty()) check_not_same_file(options.scene, path);
+  const std::pair<const char *, const std::string &> files[] = {
+      {"-o", options.frame_path}, {"--depth", options.depth_path}, {"--rgb565", options.panel_path}};
+  for (const auto &[option, path] : files) {
+    if (path.empty()) continue;
+    check_not_same_file(options.scene, path);
+    for (const auto &[other_option, other] : files) {
+      if (&other == &path) break;
+      if (other == path) throw UserError(path + ": " + other_option + " and " + option + " name the same file; choose two");
+    }
+  }
 
   const LoadedScene scene = load_scene(options);
   const CoreFrame frame(scene.file, scene.core, scene.options, scene.width, scene.height);
@@ -57,6 +65,10 @@ int run_render(const RenderOptions &options) {
         "wrote " +
         write_depth(options.depth_path, {scene.width, scene.height, depth_greys(pictures.rgb565.depth)}) +
         "\n";
+  if (!options.panel_path.empty()) {
+    write_file(options.panel_path, std::string(pictures.rgb565.pixels.begin(), pictures.rgb565.pixels.end()));
+    written += "wrote " + options.panel_path + "\n";
+  }
   const std::string text =
       options.json ? "{" + frame_json(scene, counts) + "}\n" : frame_summary(scene, counts) + written;
   (void)std::fputs(text.c_str(), stdout);
@@ -75,6 +87,10 @@ void add_render_command(CLI::App &app, Action &action) {
       ->add_option("--depth", options->depth_path,
                    "write the depth codes stretched to 16-bit greys, nearer is brighter")
       ->type_name("DEPTH.png");
+  command
+      ->add_option("--rgb565", options->panel_path,
+                   "write the pixels as a panel gets them: two bytes each, high byte first, rows from the top, no header")
+      ->type_name("FRAME.bin");
   add_offset_option(*command, *options);
   add_profile_option(*command, *options);
   command

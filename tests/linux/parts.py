@@ -38,11 +38,16 @@ class Parts:
             debian.unpack(self.archive().fetch("busybox-static"), directory, r"/bin/busybox$")
         return self.once("busybox", make) / "busybox"
 
-    def libraries(self, api):
-        """A directory with include and lib: libgpiod with API v1 or v2, and zlib."""
+    def libgpiod(self, api):
+        """A directory with include and lib, of API v1 or v2."""
         def make(directory):
-            for package, release in (("libgpiod-dev", LIBGPIOD[api]), ("zlib1g-dev", RELEASE)):
-                file = self.archive(release).fetch(package)
-                debian.unpack(file, directory / "include", r"/include/.*(gpiod|zlib|zconf)\.h$")
-                debian.unpack(file, directory / "lib", r"/lib(gpiod|z)\.a$")
-        return self.once(f"libraries-{api}", make)
+            file = self.archive(LIBGPIOD[api]).fetch("libgpiod-dev")
+            debian.unpack(file, directory / "include", r"/include/gpiod\.h$")
+            debian.unpack(file, directory / "lib", r"/libgpiod\.a$")
+        return self.once(f"libgpiod-{api}", make)
+
+    def zlib(self):
+        """A directory with zlib's headers and library."""
+        def make(directory):
+            debian.unpack(self.archive().fetch("zlib1g-dev"), directory, r"/include/.*(zlib|zconf)\.h$|/libz\.a$")
+        return self.once("zlib", make)
