@@ -119,6 +119,7 @@ class Board:
             process.wait()
         self.control.close()
         self.events.close()
+        (self.work / "console").write_text("\n".join(self.console) + "\n")
 
     def wait_for(self, pattern, seconds=60):
         """The match of the next console line that has the pattern."""
@@ -157,6 +158,5 @@ class Board:
             self.console.append(text)
         self.qemu.wait(timeout=10)
         self.pins.wait(timeout=60)
-        (self.work / "console").write_text("\n".join(self.console) + "\n")
         self.events.seek(0)
         return self.events.read().splitlines()

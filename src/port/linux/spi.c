@@ -16,20 +16,22 @@
 
 enum {
   BUFSIZ_DEFAULT = 4096, /* of the spidev driver, where it does not tell */
+  ALIGNMENT = 128,       /* the driver counts a transfer as so much longer that it ends on a boundary for DMA, 128 bytes on arm64 */
   BITS = 8
 };
 
 static const char bufsiz_path[] = "/sys/module/spidev/parameters/bufsiz";
 
-/* The most bytes of one message; more is refused with EMSGSIZE. */
-static size_t read_bufsiz(void) {
+/* The most bytes of one transfer; more is refused with EMSGSIZE. */
+static size_t read_chunk_bytes(void) {
   FILE *file = fopen(bufsiz_path, "re");
   unsigned long bytes = 0;
   if (file != NULL) {
     if (fscanf(file, "%10lu", &bytes) != 1) bytes = 0;
     (void)fclose(file);
   }
-  return bytes != 0 ? bytes : BUFSIZ_DEFAULT;
+  if (bytes == 0) bytes = BUFSIZ_DEFAULT;
+  return bytes < ALIGNMENT ? bytes : bytes / ALIGNMENT * ALIGNMENT;
 }
 
 typedef struct name_list {
@@ -84,7 +86,7 @@ int fc_linux_spi_open(const char *path, fc_linux_spi *spi, fc_linux_error *error
     fc_linux_spi_close(spi);
     return fc_linux_fail(error, number, "%s: SPI_IOC_RD_MODE32: %s; this is no spidev device: 'fixcast probe' lists them", path, strerror(number));
   }
-  spi->chunk_bytes = read_bufsiz();
+  spi->chunk_bytes = read_chunk_bytes();
   return FC_OK;
 }
 

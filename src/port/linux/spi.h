@@ -7,7 +7,7 @@
 typedef struct fc_linux_spi {
   int file; /* -1: closed */
   char path[64];
-  size_t chunk_bytes; /* spidev's bufsiz */
+  size_t chunk_bytes; /* largest transfer, by spidev's bufsiz */
   uint32_t clock_hz;  /* as read back; 0: not set yet */
   uint64_t sent_bytes, sending_ns;
 } fc_linux_spi;
