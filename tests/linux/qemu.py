@@ -1,7 +1,8 @@
 """A board that runs Debian's stock arm64 kernel: the program cross-built for it drives a panel, and its pins are watched from outside.
 
 qemu.py build --work DIR --source ROOT --cli11 DIR     fetches the board's parts and cross-builds the program, once an API
-qemu.py test v1|v2 --work DIR --simulator FIXCAST      boots the board and tries everything; prints what was wrong
+qemu.py test v1|v2 --work DIR --simulator FIXCAST --pins PINS
+                                                       boots the board and tries everything; prints what was wrong
 """
 import argparse
 import pathlib
@@ -226,13 +227,13 @@ def check_signals(verdict, console, events, signals):
     return len(ends), len(partial)
 
 
-def test(api, work, simulator, seed):
+def test(api, work, simulator, pins, seed):
     parts = Parts(work)
     chance = random.Random(seed)
     signals = [(chance.randrange(20000, 1100000), chance.choice(("INT", "INT", "TERM"))) for _ in range(SIGNALS)]
     verdict = Verdict()
     place = work / api
-    with board.Board(place, parts, guest_files(api, parts, work, signals), PANEL, work / "pins", f"spidev.bufsiz={BUFSIZ[api]}") as machine:
+    with board.Board(place, parts, guest_files(api, parts, work, signals), PANEL, pins, f"spidev.bufsiz={BUFSIZ[api]}") as machine:
         machine.wait_for(r"^@begin button")
         machine.drive("GPIO5", True)   # released
         machine.wait_for(r"^frame 1 ")
@@ -265,6 +266,7 @@ def main():
     tester = commands.add_parser("test")
     tester.add_argument("api", choices=("v1", "v2"))
     tester.add_argument("--simulator", type=pathlib.Path, required=True)
+    tester.add_argument("--pins", type=pathlib.Path, required=True, help="the program that pins.c makes")
     tester.add_argument("--seed", type=int, default=7)
     for command in (builder, tester):
         command.add_argument("--work", type=pathlib.Path, required=True)
@@ -274,7 +276,7 @@ def main():
     if options.command == "build":
         build(work, options.source.resolve(), options.cli11)
         return 0
-    return test(options.api, work, options.simulator.resolve(), options.seed)
+    return test(options.api, work, options.simulator.resolve(), options.pins.resolve(), options.seed)
 
 
 sys.exit(main())
