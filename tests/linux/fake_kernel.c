@@ -115,6 +115,10 @@ static int message(const struct spi_ioc_transfer *transfer) {
   if (count > kernel.largest_message) kernel.largest_message = count;
   errno = count > kernel.limit ? EMSGSIZE : kernel.message_error != 0 && kernel.messages >= kernel.message_at ? kernel.message_error : 0;
   if (errno != 0) return -1;
+  if (kernel.slow) {
+    const struct timespec millisecond = {0, 1000000};
+    (void)nanosleep(&millisecond, NULL);
+  }
   if (kernel.most != 0 && count > kernel.most) count = kernel.most;
   if (kernel.panel.model != NULL) {
     virtual_clock(&kernel.panel, transfer->speed_hz, kernel.mode & 3);

@@ -41,6 +41,7 @@ typedef struct fake_kernel {
   size_t most;           /* a message sends no more than this and returns how many; 0: all */
   int message_error;     /* errno of the message number message_at, from 1, and of all later ones; 0: none fails */
   unsigned message_at;
+  bool slow;             /* a message takes a millisecond before its bytes leave */
   uint32_t mode, hz, hz_max; /* registers; hz_max: above it the clock is refused with EINVAL */
   int line_error;        /* errno of setting or reading a line; 0: it works */
   int thread_error;      /* of starting a thread */

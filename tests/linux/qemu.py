@@ -45,13 +45,14 @@ try() {
 }
 show() { fixcast show /tmp/scene.nff WIRED "$@"; }
 wire() { fixcast show /tmp/scene.nff --panel PANEL --spi "$1" --dc "$2"; }
-# Microseconds and a signal: a run that is told to end at that moment.
+# Microseconds and a signal: a run that is told to end at that moment. In the foreground: a shell's background programs ignore SIGINT at first.
 end_by() {
-  fixcast show /tmp/scene.nff WIRED >/tmp/said 2>&1 &
-  usleep $1
-  kill -$2 $!
-  wait $!
-  echo "@signal $2 after $1 us: exit $? held $(held)"
+  rm -f /tmp/pid
+  (until [ -s /tmp/pid ]; do usleep 1000; done; usleep $1; kill -$2 $(cat /tmp/pid)) &
+  sh -c 'echo $$ >/tmp/pid; exec fixcast show /tmp/scene.nff WIRED' >/tmp/said 2>&1
+  code=$?
+  wait
+  echo "@signal $2 after $1 us: exit $code held $(held)"
 }
 pull_out() {
   show >/tmp/said 2>&1 &
@@ -234,12 +235,11 @@ def test(api, work, simulator, pins, seed):
     verdict = Verdict()
     place = work / api
     with board.Board(place, parts, guest_files(api, parts, work, signals), PANEL, pins, f"spidev.bufsiz={BUFSIZ[api]}") as machine:
-        machine.wait_for(r"^@begin button")
+        machine.wait_for(r"^@begin button", 300)
         machine.drive("GPIO5", True)   # released
-        machine.wait_for(r"^frame 1 ")
+        machine.wait_for(r"^frame 1 ", 300)
         machine.drive("GPIO5", False)  # pressed
-        machine.wait_for(r"^@end")
-        machine.wait_for(r"^@done", 300)
+        machine.wait_for(r"^@done", 1200)
         events = machine.finish()
         console = machine.console
     tests = told(console)

@@ -127,6 +127,50 @@ static void test_short_transfers_go_on_where_they_ended(void) {
   assert_stream_whole();
 }
 
+static void count_ready(void *context, int result) {
+  if (result == FC_OK) ++*(int *)context;
+}
+
+static void test_what_comes_after_a_transfer_waits_for_it(void) {
+  const uint8_t window[2] = {0x2C, 0x29};
+  int ready = 0;
+  fc_bus interface;
+  open_bus();
+  TEST_ASSERT_EQUAL_INT(FC_OK, start());
+  interface = fc_linux_bus_ops(bus);
+  kernel.slow = true;
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->command(interface.context, &window[0], 1));
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->data_start(interface.context, picture, 9600, count_ready, &ready));
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->data_start(interface.context, picture + 9600, 9600, count_ready, &ready));
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->data(interface.context, picture + 19200, 9600));
+  TEST_ASSERT_EQUAL_INT(2, ready);
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->data_start(interface.context, picture + 28800, FRAME_BYTES - 28800, count_ready, &ready));
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->command(interface.context, &window[1], 1));
+  TEST_ASSERT_EQUAL_INT(3, ready);
+  assert_shown();
+  assert_stream_whole();
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->command(interface.context, &window[0], 1));
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->data_start(interface.context, picture, 9600, count_ready, &ready));
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->reset(interface.context, true));
+  TEST_ASSERT_EQUAL_INT_MESSAGE(4, ready, "reset waits too");
+}
+
+static void test_closing_waits_for_the_transfer_under_way(void) {
+  const uint8_t write = 0x2C;
+  int ready = 0;
+  fc_bus interface;
+  open_bus();
+  TEST_ASSERT_EQUAL_INT(FC_OK, start());
+  interface = fc_linux_bus_ops(bus);
+  kernel.slow = true;
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->command(interface.context, &write, 1));
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->data_start(interface.context, picture, FRAME_BYTES, count_ready, &ready));
+  fc_linux_bus_close(bus);
+  bus = NULL;
+  TEST_ASSERT_EQUAL_INT(1, ready);
+  assert_shown();
+}
+
 static void test_mode_keeps_what_the_device_tree_says_and_the_clock_is_read_back(void) {
   fc_bus interface;
   open_bus();
@@ -433,6 +477,8 @@ int main(void) {
   RUN_TEST(test_a_frame_arrives_whole_and_the_panel_ends_asleep);
   RUN_TEST(test_transfers_are_as_large_as_bufsiz_allows);
   RUN_TEST(test_short_transfers_go_on_where_they_ended);
+  RUN_TEST(test_what_comes_after_a_transfer_waits_for_it);
+  RUN_TEST(test_closing_waits_for_the_transfer_under_way);
   RUN_TEST(test_mode_keeps_what_the_device_tree_says_and_the_clock_is_read_back);
   RUN_TEST(test_only_the_lines_that_are_named_are_requested);
   RUN_TEST(test_a_button_is_read_with_its_pull_up);
