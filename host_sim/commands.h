@@ -21,6 +21,9 @@ void add_bake_command(CLI::App &app, Action &action);
 void add_stats_command(CLI::App &app, Action &action);
 void add_depths_command(CLI::App &app, Action &action);
 void add_report_command(CLI::App &app, Action &action);
+void add_show_command(CLI::App &app, Action &action);
+void add_panels_command(CLI::App &app, Action &action);
+void add_probe_command(CLI::App &app, Action &action);
 
 } // namespace host
 

@@ -40,6 +40,9 @@ int run(int argc, char **argv) {
   host::add_stats_command(app, action);
   host::add_depths_command(app, action);
   host::add_report_command(app, action);
+  host::add_show_command(app, action);
+  host::add_panels_command(app, action);
+  host::add_probe_command(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &error) {

@@ -339,7 +339,7 @@ private:
   {
     std::string bytes;
     try {
-      bytes = load(path);
+      bytes = load_text(path);
     } catch (const UserError &error) {
       fail_here(std::string("the image cannot be read: ") + error.what());
     }

@@ -34,18 +34,6 @@ void decode(std::uint8_t *rgb, std::uint8_t format, const std::uint8_t *row, std
 
 } // namespace
 
-std::vector<std::string> panel_names() {
-  std::vector<std::string> names;
-  for (const fc_panel *const *panel = fc_panels; *panel != nullptr; panel++) names.emplace_back((*panel)->name);
-  return names;
-}
-
-const fc_panel *find_panel(const std::string &name) {
-  for (const fc_panel *const *panel = fc_panels; *panel != nullptr; panel++)
-    if (name == (*panel)->name) return *panel;
-  return nullptr;
-}
-
 Image8 panel_picture(const fc_panel &panel, const Picture &picture) {
   if (picture.width != panel.width || picture.height != panel.height)
     throw UserError(std::string(panel.name) + " has " + std::to_string(panel.width) + "x" + std::to_string(panel.height) + " pixels, the frame " +

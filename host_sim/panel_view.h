@@ -2,20 +2,11 @@
 #ifndef FIXCAST_HOST_PANEL_VIEW_H
 #define FIXCAST_HOST_PANEL_VIEW_H
 
-#include <string>
-#include <vector>
-
 #include "fixcast/panel.h"
 #include "frame_run.h"
 #include "image.h"
 
 namespace host {
-
-/* "ssd1306", ... in the order of fc_panels. */
-std::vector<std::string> panel_names();
-
-/* NULL for a name that is none. */
-const fc_panel *find_panel(const std::string &name);
 
 /* The frame as the panel shows it: what fc_display_convert makes of it, decoded. `picture` must be FC_RGB565_BE, of the panel's size. A level of n bits is shown
  * as level / (2^n - 1) of full brightness. Throws UserError when the sizes differ. */

@@ -11,11 +11,12 @@
 #include "atomic_file.h"
 #include "camera_path.h"
 #include "commands.h"
-#include "compare.h"
+#include "error_layer.h"
 #include "frame_layers.h"
 #include "frame_run.h"
 #include "gif.h"
 #include "image.h"
+#include "panel_list.h"
 #include "panel_view.h"
 #include "pnm.h"
 #include "progress.h"
@@ -29,7 +30,7 @@ namespace {
 
 struct RenderOptions : SceneOptions {
   SamplingOptions sampling;
-  std::string frame_path, depth_path, samples_path, show = "color", path, display;
+  std::string frame_path, depth_path, samples_path, panel_path, show = "color", path, display;
   std::vector<std::string> layers;
   int strip_rows = FC_SIZE_MAX, frames = 0, bits = 8, fps = 20;
 
@@ -85,10 +86,7 @@ void render_into(RenderedFrame &to, const RenderOptions &options, bool quiet) {
   if (sampling.wanted)
     for (std::uint16_t samples : to.pictures.rgb888.samples) to.rays += samples;
   to.counts = count(to.pictures.rgb565);
-  if (options.shows("error")) {
-    const Oracle oracle(to.scene.file, to.scene.width, to.scene.height);
-    to.error = compare(to.scene.file, oracle, *to.frame, to.pictures.rgb888).error;
-  }
+  if (options.shows("error")) to.error = error_layer(to.scene, *to.frame, to.pictures.rgb888);
 }
 
 /* Where a picture comes from; the same for the same scene on every machine. */
@@ -104,7 +102,7 @@ Raster layers_of(const RenderedFrame &frame, const std::vector<std::string> &wan
 }
 
 Image8 picture_of(const RenderOptions &options, const RenderedFrame &frame) {
-  if (!options.display.empty()) return panel_picture(*find_panel(options.display), frame.pictures.rgb565);
+  if (!options.display.empty()) return panel_picture(find_panel(options.display), frame.pictures.rgb565);
   if (options.show == "color") return {frame.scene.width, frame.scene.height, frame.pictures.rgb888.pixels};
   return layer_picture(layers_of(frame, {options.show}), options.show);
 }
@@ -130,6 +128,17 @@ std::string write_files(const RenderOptions &options, const RenderedFrame &frame
                write_depth(sequence_name(options.depth_path, number),
                            {frame.scene.width, frame.scene.height, depth_greys(frame.pictures.rgb565.depth)}, metadata) +
                "\n";
+  if (!options.panel_path.empty()) {
+    const std::string path = sequence_name(options.panel_path, number);
+    write_file(path, std::string(frame.pictures.rgb565.pixels.begin(), frame.pictures.rgb565.pixels.end()));
+    written += "wrote " + path + "\n";
+  }
+  if (!options.samples_path.empty())
+    written += "wrote " +
+               write_depth(sequence_name(options.samples_path, number),
+                           {frame.scene.width, frame.scene.height, sample_greys(frame.pictures.rgb888.samples)}, metadata) +
+               "\n";
+  if (frame.rays > 0) written = std::to_string(frame.rays) + " rays make the pixels\n" + written;
   return written;
 }
 
@@ -180,32 +189,36 @@ int run_sequence(const RenderOptions &options) {
 
 /* What can be said before anything is rendered. */
 void check(const RenderOptions &options) {
-  if (!options.frame_path.empty() && options.frame_path == options.depth_path)
-    throw UserError(options.frame_path + ": -o and --depth name the same file; choose two");
-  if (!options.samples_path.empty() && (options.samples_path == options.frame_path || options.samples_path == options.depth_path))
-    throw UserError(options.samples_path + ": --samples-image names a file that is written already; choose another");
+  const std::pair<const char *, const std::string &> files[] = {{"-o", options.frame_path},
+                                                                {"--depth", options.depth_path},
+                                                                {"--rgb565", options.panel_path},
+                                                                {"--samples-image", options.samples_path}};
+  for (const auto &[option, path] : files) {
+    if (path.empty()) continue;
+    check_not_same_file(options.scene, path);
+    for (const auto &[other_option, other] : files) {
+      if (&other == &path) break;
+      if (other == path) throw UserError(path + ": " + other_option + " and " + option + " name the same file; choose two");
+    }
+  }
   if (!options.samples_path.empty() && options.sampling.samples.empty())
     throw UserError("--samples-image needs --samples: without it every pixel has one ray");
-  for (const std::string &path : {options.frame_path, options.depth_path, options.samples_path})
-    if (!path.empty()) check_not_same_file(options.scene, path);
   const std::string extension = image_extension(options.frame_path);
   if (options.bits == 16 && extension != ".png" && extension != ".tif" && extension != ".tiff")
     throw UserError("--bits 16 needs -o with a name that ends in .png or .tif");
   if (!options.display.empty() && options.show != "color") throw UserError("--display and --show exclude each other; choose one");
   const bool sequence = is_sequence_name(options.frame_path);
-  const bool depth_sequence = !options.depth_path.empty() && is_sequence_name(options.depth_path);
-  const bool samples_sequence = !options.samples_path.empty() && is_sequence_name(options.samples_path);
   if (options.path.empty()) {
     if (options.frames > 1) throw UserError("--frames without a path would draw the same frame again; add --path orbit");
-    if (sequence || depth_sequence || samples_sequence) throw UserError(options.frame_path + ": a name for many frames; add --path orbit, or take the % out");
+    for (const auto &[option, path] : files)
+      if (!path.empty() && is_sequence_name(path)) throw UserError(path + ": a name for many frames; add --path orbit, or take the % out");
     return;
   }
   if (!sequence && extension != ".gif")
     throw UserError("--path draws many frames; let -o be a name such as frame_%04d.png or turn.gif");
-  if (!options.samples_path.empty() && (!samples_sequence || !sequence))
-    throw UserError("--samples-image with --path needs names with a number's place, such as rays_%04d.png, here and in -o");
-  if (!options.depth_path.empty() && (!depth_sequence || !sequence))
-    throw UserError("--depth with --path needs names with a number's place, such as depth_%04d.png, here and in -o");
+  for (const auto &[option, path] : files)
+    if (&path != &options.frame_path && !path.empty() && (!is_sequence_name(path) || !sequence))
+      throw UserError(std::string(option) + " with --path needs names with a number's place, such as depth_%04d.png, here and in -o");
 }
 
 } // namespace
@@ -249,6 +262,10 @@ void add_render_command(CLI::App &app, Action &action) {
   command->add_option("--fps", options->fps, "frames a second of an animated .gif; default 20")
       ->type_name("N")
       ->check(CLI::Range(1, 100));
+  command
+      ->add_option("--rgb565", options->panel_path,
+                   "write the pixels as a panel gets them: two bytes each, high byte first, rows from the top, no header")
+      ->type_name("FRAME.bin");
   add_offset_option(*command, *options);
   add_profile_option(*command, *options);
   add_transfer_option(*command, *options);
@@ -267,8 +284,10 @@ void add_render_command(CLI::App &app, Action &action) {
     action = [options] {
       if (options->layers.empty()) options->layers = {"color", "depth", "normal", "id", "samples", "shadow"};
       if (!options->path.empty() && options->frames == 0) options->frames = 36;
-      if (const fc_panel *panel = find_panel(options->display); panel != nullptr && options->size.empty())
-        options->size = std::to_string(panel->width) + "x" + std::to_string(panel->height);
+      if (!options->display.empty() && options->size.empty()) {
+        const fc_panel &panel = find_panel(options->display);
+        options->size = std::to_string(panel.width) + "x" + std::to_string(panel.height);
+      }
       check(*options);
       return options->path.empty() ? run_one(*options) : run_sequence(*options);
     };

@@ -11,6 +11,7 @@ import tempfile
 from support import Report
 
 FREESTANDING = {"stdint.h", "stddef.h", "stdbool.h", "string.h", "limits.h"}
+FIRMWARE_SHARED = {"controls.h", "firmware.h", "orbit.h", "pattern.h"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:<([^>\n]+)>|"([^"\n]+)"|(\S.*))', re.M)
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.S)
 SUFFIXES = {".c", ".h", ".cpp", ".hpp", ".cc", ".S"}
@@ -32,6 +33,17 @@ def includes_of(path):
 def own(name, directory):
     """Whether a quoted name is a file of this directory itself."""
     return "/" not in name and (directory / name).is_file()
+
+
+def shared_with_boards(root, path, name):
+    """Whether the simulator may include this header of a board: what the boards' demo shares with 'fixcast show', and, in the
+    files X_PORT.cpp, the headers PORT_Y.h of that port."""
+    if path.name.startswith("oracle"):
+        return False
+    if name in FIRMWARE_SHARED:
+        return (root / "src" / "firmware" / name).is_file()
+    port = path.stem.rpartition("_")[2]
+    return name.startswith(port + "_") and (root / "src" / "port" / port / name).is_file()
 
 
 def reason(root, path, name, system):
@@ -77,6 +89,8 @@ def reason(root, path, name, system):
     if parts[0] == "host_sim":
         if path.name.startswith("oracle") and public:
             return "the oracle shares nothing with the core"
+        if not system and shared_with_boards(root, path, name):
+            return None
         return None if system or public or own(name, path.parent) else "the simulator uses public headers only"
     return None
 
@@ -103,8 +117,11 @@ def self_test():
         "src/panel/panel.c": '#include "fixcast/a.h"\n',
         "src/firmware/firmware.h": "",
         "src/firmware/run.h": "",
+        "src/firmware/orbit.h": "",
         "src/firmware/run.c": '#include "firmware.h"\n#include "run.h"\n#include "fixcast/a.h"\n#include "scene.h"\n',
         "src/port/one/one.h": "",
+        "src/port/one/one_bus.h": "",
+        "host_sim/pins_one.cpp": '#include "one_bus.h"\n#include "orbit.h"\n',
         "src/port/one/main.c": '#include "one.h"\n#include <linux/spi/spidev.h>\n#include "firmware.h"\n',
         "src/port/two/two.h": "",
         "tests/panel/virtual_one.h": "#include <stdint.h>\n",
@@ -147,6 +164,12 @@ def self_test():
         ("tests/panel/virtual_one.c", "#include <fixcast/a.h>\n"),
         ("tests/panel/virtual_one.h", '#include "../../src/core/inner.h"\n'),
         ("host_sim/main.cpp", '#include "inner.h"\n'),
+        ("host_sim/main.cpp", '#include "one_bus.h"\n'),
+        ("host_sim/main.cpp", '#include "run.h"\n'),
+        ("host_sim/pins_one.cpp", '#include "one.h"\n'),
+        ("host_sim/pins_one.cpp", '#include "two.h"\n'),
+        ("host_sim/oracle.h", '#include "orbit.h"\n'),
+        ("src/port/two/two.h", '#include "one_bus.h"\n'),
         ("host_sim/main.cpp", '#include "../src/core/inner.h"\n'),
         ("host_sim/oracle.h", '#include "fixcast/a.h"\n'),
     ]
