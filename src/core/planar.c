@@ -434,11 +434,14 @@ static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restri
     d_rb = ((uint32_t)fc_floor_shift32((int32_t)(end.rb >> 16) - (int32_t)(rb >> 16), s) << 16) +
            (uint32_t)fc_floor_shift32((int32_t)(end.rb & 0xffffu) - (int32_t)(rb & 0xffffu), s);
     if (some == chunk) {
-      do {
+      do { /* two at a time: a chord has an even number */
         put_levels(rb, g, at);
-        at += 2;
         rb += d_rb;
         g += d_g;
+        put_levels(rb, g, at + 2);
+        rb += d_rb;
+        g += d_g;
+        at += 4;
       } while (at != to);
     } else {
       for (; some != 0; some >>= 1, at += 2) {
