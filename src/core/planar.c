@@ -409,7 +409,7 @@ static inline chord_ends levels_at(const fc_tint *tint, uint32_t c) {
 }
 
 static inline void put_levels(uint32_t rb, uint32_t g, uint8_t *to) {
-  uint32_t packed = ((rb >> 27 << 6 | g >> FC_TINT_BITS) << 5) | rb << 16 >> 27;
+  uint32_t packed = ((rb >> 27 << 6 | g >> FC_TINT_BITS) << 5) | (rb & 0xffffu) >> 11;
   to[0] = (uint8_t)(packed >> 8);
   to[1] = (uint8_t)packed;
 }
