@@ -365,7 +365,7 @@ static FC_NOINLINE void start_row(const square_form *s, const cosine *g, uint16_
 
 /* The cosine in Q16 where W.W / 2^30 is q and the numerator is g. */
 static inline uint32_t cosine_of(uint32_t q, int32_t g) {
-  uint8_t down = 14;
+  uint32_t down = 14;
   uint32_t c;
   if (g <= 0 || q < 16) return 0;
   while (q < UINT32_C(1) << 30) {
