@@ -195,11 +195,22 @@ static FC_COLD int8_t sign_of(const uint8_t *program, const fc_form *form, const
   return fc_segment_sign(segment, &w, decision);
 }
 
+/* The same as blocked by the rounded point: 1, 0, or -1 when that leaves it open, as everything does far out. */
+static FC_COLD int8_t hides_rounded(const fc_form *form, const fc_segment *segment) {
+  int32_t point[3];
+  uint8_t i;
+  if (segment->point_error >> 20 != 0 || fc_vector_bits(segment->point) > 30 || fc_vector_bits(segment->light) > 30) return -1;
+  for (i = 0; i < 3; i++) point[i] = (int32_t)segment->point[i];
+  return fc_sphere_hides(form, segment->light, point, segment->point_error);
+}
+
 static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
   int64_t low[3], high[3];
   int8_t light, point;
   bounds(form, low, high);
   if (fc_segment_apart(segment, low, high)) return false;
+  light = hides_rounded(form, segment);
+  if (light >= 0) return light > 0;
   light = side(form, segment->light);
   /* from outside or from the surface: not where the line turns away at once or misses the sphere */
   if (light >= 0 && (sign_of(ahead, form, segment, FC_DECIDE_PASS) <= 0 || sign_of(met, form, segment, FC_DECIDE_PASS) < 0))
