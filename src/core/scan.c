@@ -563,20 +563,24 @@ FC_COLD int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, co
   return pixel_bytes;
 }
 
-FC_COLD void fc_scan_each(fc_scan *scan, uint16_t rows) {
+FC_COLD void fc_scan_item(fc_scan *scan, uint16_t index, uint16_t rows) {
   const fc_group *group = &scan->at->group;
   const fc_kind *kind = fc_kind_of(scan->at);
-  for (scan->index = 0; scan->index < group->shapes.count; scan->index++) {
-    fc_form form;
-    fc_window box;
-    if (!kind->window(scan->frame, group, scan->index, &box)) continue;
-    if (box.y1 < (int32_t)scan->strip || box.y0 > (int32_t)scan->strip + rows - 1) continue;
-    kind->fetch(group, scan->index, &form);
-    scan->form = &form;
-    scan->primitive = (uint16_t)(group->first + scan->index);
-    fc_scan_tint(scan);
-    draw(scan, &box, rows);
-  }
+  fc_form form;
+  fc_window box;
+  if (!kind->window(scan->frame, group, index, &box)) return;
+  if (box.y1 < (int32_t)scan->strip || box.y0 > (int32_t)scan->strip + rows - 1) return;
+  kind->fetch(group, index, &form);
+  scan->form = &form;
+  scan->index = index;
+  scan->primitive = (uint16_t)(group->first + index);
+  fc_scan_tint(scan);
+  draw(scan, &box, rows);
+}
+
+FC_COLD void fc_scan_each(fc_scan *scan, uint16_t rows) {
+  uint16_t index;
+  for (index = 0; index < scan->at->group.shapes.count; index++) fc_scan_item(scan, index, rows);
 }
 
 FC_COLD void fc_strip_finish(const fc_frame *frame, uint16_t rows, const fc_target *target) {
