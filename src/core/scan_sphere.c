@@ -932,10 +932,40 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   }
 }
 
+/* A depth code that the sphere's pixels do not exceed. */
+static FC_COLD uint16_t nearest_code(const fc_scan *scan) {
+  /* z - r is at least 1, and near at most that: their quotient is within 2^-24 */
+  const fc_quick z = fc_quick_from((uint64_t)(scan->form->u.sphere.center[2] - scan->form->u.sphere.radius), 0);
+  const fc_quick p = fc_quick_mul(fc_quick_from(scan->frame->depth_near, 30), fc_quick_recip(z));
+  uint32_t most = (uint32_t)fc_quick_to_int(p, 0), code; /* 2^30 and little more */
+  fc_coder coder;
+  most += (most >> 23) + 2;
+  fc_coder_start(&coder, scan->frame, 0, most);
+  code = (uint32_t)coder.base + ((most + coder.half) >> coder.shift) + 1;
+  return code > UINT16_MAX ? UINT16_MAX : (uint16_t)code;
+}
+
+/* Whether nearer surfaces cover the tile for certain. */
+static FC_COLD bool is_covered(const fc_scan *scan) {
+  const uint16_t last = (uint16_t)(scan->columns - 1);
+  uint16_t row, code;
+  if (*fc_scan_depth(scan, scan->first_row, 0) == 0 || *fc_scan_depth(scan, scan->last_row, last) == 0) return false;
+  code = nearest_code(scan);
+  for (row = scan->first_row; row <= scan->last_row; row++) {
+    const uint16_t *depth = fc_scan_depth(scan, row, 0), *end = depth + scan->columns;
+    if (fc_scan_skips(scan, row)) continue;
+    do {
+      if (*depth <= code) return false;
+    } while (++depth != end);
+  }
+  return true;
+}
+
 FC_COLD void fc_sphere_draw(fc_scan *scan) {
   const fc_placed_sphere *placed = (const fc_placed_sphere *)scan->at->group.memory + scan->index;
   uint16_t row;
   uint8_t word;
+  if (placed->seen != FC_SPHERE_ODD && is_covered(scan)) return;
   if (placed->seen != FC_SPHERE_ODD) {
     draw_plain(scan, placed);
     return;
