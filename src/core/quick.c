@@ -36,7 +36,11 @@ const uint16_t fc_recip_table[128] FC_ROM = {
 
 FC_COLD uint64_t fc_packed_from(uint64_t v, int32_t e) {
   uint8_t s;
-  if (v == 0) return 0;
+  if (v >> 32 == 0) { /* mostly */
+    if (v == 0) return 0;
+    s = fc_clz32((uint32_t)v);
+    return fc_quick_pack((uint32_t)v << s, e - s);
+  }
   s = fc_clz64(v);
   return fc_quick_pack((uint32_t)(v << s >> 32), e + 32 - s);
 }

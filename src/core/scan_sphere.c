@@ -105,9 +105,14 @@ typedef struct ball_light {
   fc_quick depth;         /* near 2^(30 + drop) / F: over p it is t */
   uint32_t curve[3];      /* cosine / (s - h) = curve[0] + x (curve[1] + x curve[2]), Q16, x = s - h; curve[0] 0: see cosine_of */
   uint8_t occluders;      /* MANY: more than the list holds */
+  uint8_t unit;           /* a short vector's unit is 2^this: what lies between light and ball has 15 bits */
   struct {
     uint16_t primitive;
-    fc_placed_window window; /* pixels in which it may matter */
+    int16_t radius;          /* of a sphere, short; 0: ask the form */
+    union {
+      int16_t center[3];       /* of a sphere with a short radius: from the light */
+      fc_placed_window window; /* of others: pixels in which it may matter */
+    } at;
   } occluder[8];
 } ball_light;
 
@@ -118,6 +123,18 @@ typedef struct occluder_list {
   const fc_scan *scan;
   ball_light *light;
 } occluder_list;
+
+/* A sphere's center seen from the light, floored; returns the radius, 0 when something has more than 15 bits or too few. */
+static FC_COLD int16_t shorten(const fc_form *form, const int64_t light[3], uint8_t unit, int16_t center[3]) {
+  const int32_t radius = (int32_t)form->u.sphere.radius >> unit;
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    int32_t c = fc_floor_shift32((int32_t)(form->u.sphere.center[i] - light[i]), unit); /* 31 bits */
+    center[i] = (int16_t)c;
+    if (center[i] != c) return 0;
+  }
+  return radius > INT16_MAX ? 0 : (int16_t)radius;
+}
 
 static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
   const occluder_list *list = context;
@@ -136,7 +153,11 @@ static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
     return true;
   }
   light->occluder[light->occluders].primitive = primitive;
-  set_window(scan->frame, &box, &light->occluder[light->occluders].window);
+  light->occluder[light->occluders].radius = 0;
+  if (fc_kind_of(at)->hides == fc_sphere_hides)
+    light->occluder[light->occluders].radius =
+        shorten(&form, scan->frame->lights, light->unit, light->occluder[light->occluders].at.center);
+  if (light->occluder[light->occluders].radius == 0) set_window(scan->frame, &box, &light->occluder[light->occluders].at.window);
   light->occluders++;
   return false;
 }
@@ -145,9 +166,15 @@ static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_reach reach;
   occluder_list list;
+  uint64_t most = 0;
+  uint8_t i;
   list.scan = scan;
   list.light = light;
   light->occluders = 0;
+  for (i = 0; i < 3; i++) most |= fc_abs64(scan->form->u.sphere.center[i] - scan->frame->lights[i]) + (uint64_t)scan->form->u.sphere.radius;
+  most += most >> 10; /* a point's error, mostly */
+  i = fc_bits64(most);
+  light->unit = i > 15 ? (uint8_t)(i - 15) : 0;
   reach.from = scan->frame->lights;
   reach.to = scan->form->u.sphere.center;
   reach.corners = 1;
@@ -273,17 +300,51 @@ static FC_COLD uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t
 /* The point that a pixel with this p shows: t D with t = near 2^(30 + drop) / (p F); returns a bound of its error an axis. */
 static FC_COLD uint32_t point_at(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p,
                          int32_t point[3]) {
-  fc_quick t = fc_quick_mul(fc_quick_recip(fc_quick_from(p, 0)), light->depth);
+  const fc_quick t = fc_quick_mul(fc_quick_recip(fc_quick_from(p, 0)), light->depth);
+  const int16_t up = (int16_t)(t.e + 32);
   int64_t d[3];
   uint32_t most = 0;
   uint8_t i;
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
   for (i = 0; i < 3; i++) {
-    point[i] = fc_quick_times(t, d[i], 0);
+    int32_t v = fc_smulhi32((int32_t)d[i], t.m);
+    point[i] = up > 0 ? v * (INT32_C(1) << up) : fc_floor_shift32(v, (uint8_t)(up < -31 ? 31 : -up));
     most |= fc_abs32(point[i]);
   }
-  /* p is good to 2^-20 (set_light), the rest to 2^-24, and the cut */
-  return (most >> 19) + 2;
+  /* p is good to 2^-20 (set_light), the rest to 2^-24, and the floors */
+  return (most >> 19) + 2 + (up > 0 ? UINT32_C(1) << up : 0);
+}
+
+/* Products of vectors of 15 bits: below 3 * 2^30. */
+static uint32_t short_square(const int16_t v[3]) {
+  return (uint32_t)((int32_t)v[0] * v[0]) + (uint32_t)((int32_t)v[1] * v[1]) + (uint32_t)((int32_t)v[2] * v[2]);
+}
+
+static int64_t short_dot(const int16_t a[3], const int16_t b[3]) {
+  return (int64_t)((int32_t)a[0] * b[0]) + (int32_t)a[1] * b[1] + (int32_t)a[2] * b[2];
+}
+
+/*
+ * Whether a sphere keeps the light from a point: 1, 0, or -1. a: from the light to the centre, b: to the point, in units that
+ * make both and the radius 15 bits. Floored, a is off by less than sqrt(3), b by that and the point's error (floored, an
+ * axis), the radius by 1: distances compare for certain beyond `slack`. With both ends clearly outside, the segment is blocked
+ * iff its inner points come within the radius.
+ */
+static FC_NOINLINE int8_t short_hides(uint32_t aa, int64_t ab, uint32_t bb, int16_t radius, uint32_t error) {
+  int32_t out, in;
+  uint64_t across, square;
+  int64_t apart = (int64_t)aa + bb - 2 * ab; /* |a - b|^2 */
+  if (error > 2044) return -1;
+  out = 2 * (int32_t)error + 8; /* sqrt(3) (1 + error + 1 + 1) + 1 < 2 error + 6.2 */
+  in = radius - out;
+  out += radius;
+  if (aa <= (uint32_t)(out * out) || apart <= out * out) return -1;
+  if (ab <= 0 || ab >= bb) return 0; /* the nearest point is an end */
+  across = fc_mul32(aa, bb) - fc_mul32((uint32_t)ab, (uint32_t)ab); /* squared distance from the line, times bb; ab < bb */
+  square = fc_mul32((uint32_t)(out * out), bb);                     /* 31 + 32 bits */
+  if (across > square) return 0;
+  square = in > 0 ? fc_mul32((uint32_t)(in * in), bb) : 0;
+  return across < square ? 1 : -1;
 }
 
 /* A pixel whose occluders are searched for, as no list holds them. */
@@ -329,24 +390,38 @@ static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint1
   fc_space space = fc_space_of_frame(scan->frame);
   fc_cursor cursor;
   int32_t point[3];
-  uint32_t error = 0;
+  int16_t way[3]; /* from the light to the point */
+  uint32_t error, length;
+  bool fits = true;
   uint8_t i;
   uint16_t index;
   if (light->occluders == MANY) return occluded_by_any(scan, light, row, column, p);
+  error = point_at(scan, light, row, column, p, point);
+  for (i = 0; i < 3; i++) {
+    int32_t v = fc_floor_shift32(point[i] - (int32_t)scan->frame->lights[i], light->unit);
+    way[i] = (int16_t)v;
+    if (way[i] != v) fits = false;
+  }
+  length = short_square(way);
   for (i = 0; i < light->occluders; i++) {
     fc_form form;
     const fc_kind *kind;
     int8_t hides = -1;
-    const fc_placed_window *window = &light->occluder[i].window;
-    if (scan->x + column < window->x0 || scan->x + column > window->x1 || scan->y + row < window->y0 ||
-        scan->y + row > window->y1 || !fc_cursor_find(&cursor, &space, light->occluder[i].primitive, &index))
-      continue;
+    if (fits && light->occluder[i].radius != 0) {
+      const int16_t *center = light->occluder[i].at.center;
+      hides = short_hides(short_square(center), short_dot(center, way), length, light->occluder[i].radius, error >> light->unit);
+      if (hides == 0) continue;
+      if (hides > 0) return true;
+    } else if (light->occluder[i].radius == 0) {
+      const fc_placed_window *window = &light->occluder[i].at.window;
+      if (scan->x + column < window->x0 || scan->x + column > window->x1 || scan->y + row < window->y0 ||
+          scan->y + row > window->y1)
+        continue;
+    }
+    if (!fc_cursor_find(&cursor, &space, light->occluder[i].primitive, &index)) continue;
     kind = fc_kind_of(&cursor);
     kind->fetch(&cursor.group, index, &form);
-    if (kind->hides != NULL) {
-      if (error == 0) error = point_at(scan, light, row, column, p, point);
-      hides = kind->hides(&form, scan->frame->lights, point, error);
-    }
+    if (kind->hides != NULL) hides = kind->hides(&form, scan->frame->lights, point, error);
     if (hides > 0 || (hides < 0 && fc_scan_blocked(scan, row, column, kind, &form))) return true;
   }
   return false;
@@ -1028,17 +1103,10 @@ FC_COLD bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const
   }
 }
 
-/*
- * Whether the sphere keeps the light from the point: 1, 0, or -1, in 15 bits. a: from the light to the centre, b: to the point. In
- * units that make them and the radius 15 bits, a is off by less than sqrt(3), b by that and the point's error, the radius by 1:
- * distances compare for certain beyond `slack`. With both ends clearly outside, the segment is blocked iff its inner points
- * come within the radius.
- */
+/* Whether the sphere keeps the light from the point: 1, 0, or -1, in 15 bits. */
 static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
-  int64_t ab = 0, apart;
-  int32_t a[3], b[3], out, in; /* a and b below 2^31 */
-  uint32_t aa = 0, bb = 0;     /* below 3 * 2^30 */
-  uint64_t across, square;
+  int32_t a[3], b[3]; /* below 2^31 */
+  int16_t x[3], y[3];
   uint32_t most = (uint32_t)form->u.sphere.radius | 1;
   uint8_t i, bits, shift;
   for (i = 0; i < 3; i++) {
@@ -1049,25 +1117,12 @@ static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], co
   }
   bits = (uint8_t)(32 - fc_clz32(most));
   shift = bits > 15 ? (uint8_t)(bits - 15) : 0;
-  out = 2 * (int32_t)(error >> shift) + 8; /* sqrt(3) (1 + error + 1 + 1) + 1 < 2 error + 6.2, the error floored */
-  if (out > 4096) return -1;
   for (i = 0; i < 3; i++) {
-    int32_t x = fc_floor_shift32(a[i], shift), y = fc_floor_shift32(b[i], shift);
-    aa += (uint32_t)(x * x);
-    ab += x * y;
-    bb += (uint32_t)(y * y);
+    x[i] = (int16_t)fc_floor_shift32(a[i], shift);
+    y[i] = (int16_t)fc_floor_shift32(b[i], shift);
   }
-  in = (int32_t)((uint32_t)form->u.sphere.radius >> shift); /* below 2^15 */
-  out += in;
-  in += in - out;
-  apart = (int64_t)aa + bb - 2 * ab; /* |a - b|^2 */
-  if (aa <= (uint32_t)(out * out) || apart <= out * out) return -1;
-  if (ab <= 0 || ab >= bb) return 0; /* the nearest point is an end */
-  across = fc_mul32(aa, bb) - fc_mul32((uint32_t)ab, (uint32_t)ab); /* squared distance from the line, times bb; ab < bb */
-  square = fc_mul32((uint32_t)(out * out), bb);                     /* 31 + 32 bits */
-  if (across > square) return 0;
-  square = in > 0 ? fc_mul32((uint32_t)(in * in), bb) : 0;
-  return across < square ? 1 : -1;
+  return short_hides(short_square(x), short_dot(x, y), short_square(y), (int16_t)((uint32_t)form->u.sphere.radius >> shift),
+                     error >> shift);
 }
 
 FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
