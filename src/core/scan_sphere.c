@@ -122,7 +122,44 @@ enum { LIGHT_UNKNOWN, LIGHT_FORMS, LIGHT_SLOW };
 typedef struct occluder_list {
   const fc_scan *scan;
   ball_light *light;
+  int16_t way[3];   /* from the light to the ball, short */
+  uint32_t length;  /* squared */
 } occluder_list;
+
+/* Products of vectors of 15 bits: below 3 * 2^30. */
+static uint32_t short_square(const int16_t v[3]) {
+  return (uint32_t)((int32_t)v[0] * v[0]) + (uint32_t)((int32_t)v[1] * v[1]) + (uint32_t)((int32_t)v[2] * v[2]);
+}
+
+static int64_t short_dot(const int16_t a[3], const int16_t b[3]) {
+  return (int64_t)((int32_t)a[0] * b[0]) + (int32_t)a[1] * b[1] + (int32_t)a[2] * b[2];
+}
+
+/*
+ * Whether a sphere may lie in the hull of the light and a ball, which is in a capsule and in a cone: the sphere misses it if it is
+ * clear of either. a: from the light to the sphere, b: to the ball, floored to 15 bits; own, other: their radii and 4 for the cuts.
+ */
+static FC_NOINLINE bool short_between(uint32_t aa, int64_t ab, uint32_t bb, uint32_t own, uint32_t other) {
+  const uint32_t sum = own + other, square = sum * sum;
+  uint64_t across, along;
+  uint32_t reach;
+  if (sum >> 16 != 0) return true;
+  /* the capsule: the distance of the sphere's center from the segment */
+  if (ab <= 0) return aa <= square;
+  if (ab >= bb) {
+    if ((int64_t)aa + bb - 2 * ab > square) return false;
+    if (ab >> 32 != 0) return true;
+  } else if (aa > square && fc_mul32(aa - square, bb) > fc_mul32((uint32_t)ab, (uint32_t)ab)) {
+    return false;
+  }
+  /* the cone: w cos > r_own + u sin, w and u across and along the axis, sin = r_other / |b|, squared and times b^4 */
+  if (bb <= other * other) return true;
+  across = fc_mul32(aa, bb);
+  along = fc_mul32((uint32_t)ab, (uint32_t)ab);
+  reach = (uint32_t)((fc_mul32(own, bb) + fc_mul32(other, (uint32_t)ab)) >> 17) + 1; /* 16 + 32 bits, two of them */
+  across = across > along ? (across - along) >> 34 : 0;
+  return fc_mul32((uint32_t)across, bb - other * other) <= fc_mul32(reach, reach); /* 30 + 32 bits and 32 + 32 */
+}
 
 /* A sphere's center seen from the light, floored; returns the radius, 0 when something has more than 15 bits or too few. */
 static FC_COLD int16_t shorten(const fc_form *form, const int64_t light[3], uint8_t unit, int16_t center[3]) {
@@ -142,22 +179,30 @@ static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
   ball_light *light = list->light;
   fc_form form;
   fc_window box;
+  int16_t center[3], radius = 0;
+  uint8_t i;
   uint16_t primitive = (uint16_t)(at->group.first + index);
   if (primitive == scan->primitive) return false;
   fc_kind_of(at)->fetch(&at->group, index, &form);
-  if (!fc_kind_of(at)->between(scan->frame, &form, scan->frame->lights, scan->form->u.sphere.center,
-                               scan->form->u.sphere.radius, &box))
+  if (fc_kind_of(at)->hides == fc_sphere_hides) radius = shorten(&form, scan->frame->lights, light->unit, center);
+  if (radius != 0) {
+    if (!short_between(short_square(center), short_dot(center, list->way), list->length, (uint32_t)radius + 4,
+                       ((uint32_t)scan->form->u.sphere.radius >> light->unit) + 4))
+      return false;
+  } else if (!fc_kind_of(at)->between(scan->frame, &form, scan->frame->lights, scan->form->u.sphere.center,
+                                      scan->form->u.sphere.radius, &box)) {
     return false;
+  }
   if (light->occluders == FC_COUNT_OF(light->occluder)) {
     light->occluders = MANY;
     return true;
   }
   light->occluder[light->occluders].primitive = primitive;
-  light->occluder[light->occluders].radius = 0;
-  if (fc_kind_of(at)->hides == fc_sphere_hides)
-    light->occluder[light->occluders].radius =
-        shorten(&form, scan->frame->lights, light->unit, light->occluder[light->occluders].at.center);
-  if (light->occluder[light->occluders].radius == 0) set_window(scan->frame, &box, &light->occluder[light->occluders].at.window);
+  light->occluder[light->occluders].radius = radius;
+  if (radius == 0)
+    set_window(scan->frame, &box, &light->occluder[light->occluders].at.window);
+  else
+    for (i = 0; i < 3; i++) light->occluder[light->occluders].at.center[i] = center[i];
   light->occluders++;
   return false;
 }
@@ -175,6 +220,8 @@ static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
   most += most >> 10; /* a point's error, mostly */
   i = fc_bits64(most);
   light->unit = i > 15 ? (uint8_t)(i - 15) : 0;
+  (void)shorten(scan->form, scan->frame->lights, light->unit, list.way); /* fits */
+  list.length = short_square(list.way);
   reach.from = scan->frame->lights;
   reach.to = scan->form->u.sphere.center;
   reach.corners = 1;
@@ -313,15 +360,6 @@ static FC_COLD uint32_t point_at(const fc_scan *scan, const ball_light *light, u
   }
   /* p is good to 2^-20 (set_light), the rest to 2^-24, and the floors */
   return (most >> 19) + 2 + (up > 0 ? UINT32_C(1) << up : 0);
-}
-
-/* Products of vectors of 15 bits: below 3 * 2^30. */
-static uint32_t short_square(const int16_t v[3]) {
-  return (uint32_t)((int32_t)v[0] * v[0]) + (uint32_t)((int32_t)v[1] * v[1]) + (uint32_t)((int32_t)v[2] * v[2]);
-}
-
-static int64_t short_dot(const int16_t a[3], const int16_t b[3]) {
-  return (int64_t)((int32_t)a[0] * b[0]) + (int32_t)a[1] * b[1] + (int32_t)a[2] * b[2];
 }
 
 /*
@@ -1059,48 +1097,26 @@ FC_COLD void fc_sphere_draw(fc_scan *scan) {
 
 FC_COLD bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window) {
-  /* The hull of light and ball lies in a capsule and in a cone: the sphere misses it if it is clear of either. In units that
-   * make everything 15 bits, with some units of slack for the cuts. a: to the sphere, b: to the ball. */
-  int64_t a[3], b[3];
-  int64_t aa, ab, bb, own, other, sum;
+  int32_t a[3], b[3]; /* 31 bits */
+  int16_t x[3], y[3];
+  uint32_t most = (uint32_t)form->u.sphere.radius | (uint32_t)radius;
   uint8_t i, bits, shift;
-  uint64_t most = (uint64_t)form->u.sphere.radius | (uint64_t)radius;
   window->x0 = window->y0 = 0;
   window->x1 = frame->width - 1;
   window->y1 = frame->height - 1;
   for (i = 0; i < 3; i++) {
-    a[i] = form->u.sphere.center[i] - light[i];
-    b[i] = center[i] - light[i];
-    most |= fc_abs64(a[i]) | fc_abs64(b[i]);
+    a[i] = (int32_t)(form->u.sphere.center[i] - light[i]);
+    b[i] = (int32_t)(center[i] - light[i]);
+    most |= fc_abs32(a[i]) | fc_abs32(b[i]);
   }
-  bits = fc_bits64(most);
+  bits = most == 0 ? 0 : (uint8_t)(32 - fc_clz32(most));
   shift = bits > 15 ? (uint8_t)(bits - 15) : 0;
-  aa = ab = bb = 0; /* below 3 * 2^30 */
   for (i = 0; i < 3; i++) {
-    int32_t x = (int32_t)fc_floor_shift64(a[i], shift), y = (int32_t)fc_floor_shift64(b[i], shift);
-    aa += x * x;
-    ab += x * y;
-    bb += y * y;
+    x[i] = (int16_t)fc_floor_shift32(a[i], shift);
+    y[i] = (int16_t)fc_floor_shift32(b[i], shift);
   }
-  own = (form->u.sphere.radius >> shift) + 4;
-  other = (radius >> shift) + 4;
-  sum = own + other;
-  /* the capsule: the distance of the sphere's center from the segment */
-  if (ab <= 0) return aa <= sum * sum;
-  if (ab >= bb) {
-    if (aa - 2 * ab + bb > sum * sum) return false;
-  } else if (aa > sum * sum && (uint64_t)(aa - sum * sum) * (uint64_t)bb > (uint64_t)ab * (uint64_t)ab) {
-    return false;
-  }
-  /* the cone: w cos > r_own + u sin, w and u across and along the axis, sin = r_other / |b|, squared and times b^4 */
-  if (bb <= other * other) return true;
-  {
-    uint64_t across = (uint64_t)aa * (uint64_t)bb, along = (uint64_t)ab * (uint64_t)ab;
-    uint64_t reach = (uint64_t)(own * bb + other * ab); /* 16 + 32 bits, two of them */
-    reach = (reach >> 17) + 1;
-    across = across > along ? (across - along) >> 34 : 0;
-    return across * (uint64_t)(bb - other * other) <= reach * reach; /* 30 + 32 bits and 32 + 32 */
-  }
+  return short_between(short_square(x), short_dot(x, y), short_square(y), ((uint32_t)form->u.sphere.radius >> shift) + 4,
+                       ((uint32_t)radius >> shift) + 4);
 }
 
 /* Whether the sphere keeps the light from the point: 1, 0, or -1, in 15 bits. */
