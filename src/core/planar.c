@@ -158,7 +158,7 @@ FC_COLD void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *oc
 
 typedef struct caster {
   fc_scan *scan;
-  const fc_planar *planar;
+  fc_planar *planar;
 } caster;
 
 static FC_COLD bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
@@ -232,7 +232,7 @@ static FC_COLD uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, i
 }
 
 /* Hands those who may stand between the light and the hull to cast_one. */
-static FC_COLD void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners, int64_t radius) {
+static FC_COLD void cast_from(fc_scan *scan, fc_planar *planar, const int64_t *hull, uint8_t corners, int64_t radius) {
   fc_space space = fc_space_of_frame(scan->frame);
   caster c;
   fc_reach reach;
@@ -246,7 +246,7 @@ static FC_COLD void cast_from(fc_scan *scan, const fc_planar *planar, const int6
   (void)fc_space_search(&space, corners > 0 ? &reach : NULL, cast_one, &c);
 }
 
-static FC_COLD void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
+static FC_COLD void cast_from_tile(fc_scan *scan, fc_planar *planar) {
   int64_t points[6 * FC_SCAN_ROWS];
   cast_from(scan, planar, points, find_hull(scan, planar, points), 1); /* corners are rounded */
 }
@@ -256,7 +256,7 @@ static FC_COLD void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
  * is cut, k is off by `slack` <= 2^33 and n.D by 3 * 2^30: with both at least 2^50, points move by less than 2^-16 of themselves. False when
  * that does not hold.
  */
-static FC_COLD bool cast_from_part(fc_scan *scan, const fc_planar *planar) {
+static FC_COLD bool cast_from_part(fc_scan *scan, fc_planar *planar) {
   int64_t points[12], radius = 1;
   uint8_t i, bits = 0;
   if (planar->slack != 0 && planar->k >> 50 == 0) return false;
@@ -298,6 +298,7 @@ static FC_COLD void set_corners(fc_planar *planar) {
     for (i = 0; i < 4; i++)
       planar->corner[i][j] = (int16_t)fc_floor_shift32(w + (i & 1 ? right : 0) + (i & 2 ? down : 0) + 0x8000, 16);
   }
+  planar->edges_known = false;
   planar->per_column = per_step(columns);
   planar->per_row = per_step(rows);
 }

@@ -15,6 +15,14 @@
 #include "i128.h"
 #include "scan.h"
 
+/* The plane through the light and two corners of a tile, to which W's two other corners lie on one side. */
+typedef struct fc_planar_edge {
+  int16_t normal[3];      /* 15 bits */
+  int8_t side;            /* of the other corners: 1, -1; 0: not for certain, and the rest is not set */
+  uint16_t error;         /* of an axis of the normal: below 2^10 */
+  uint32_t sum, greatest; /* of the normal's axes */
+} fc_planar_edge;
+
 struct fc_planar {
   int64_t normal[3]; /* towards the far side, seen from the eye; below 2^30 */
   int32_t unit[3];   /* the same, Q30, within 2^-25 */
@@ -26,6 +34,8 @@ struct fc_planar {
   fc_sheaf w;        /* from the light to the points of the tile */
   uint16_t left, right, top, bottom; /* the rectangle that the tile's mask shows */
   int16_t corner[4][3]; /* round(W / 2^16) at its corners */
+  fc_planar_edge edge[2]; /* upper and lower, once `edges_known` (scan_sphere.c) */
+  bool edges_known;
   uint32_t per_column, per_row; /* 2^32 / steps between them, below by less than 2 */
 };
 

@@ -43,7 +43,7 @@ void fc_scan_each(fc_scan *scan, uint16_t rows);
 void fc_plane_draw(fc_scan *scan);
 void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
 bool fc_plane_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box);
-void fc_plane_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form);
+void fc_plane_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form);
 bool fc_plane_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window);
 
@@ -51,7 +51,7 @@ void fc_sphere_strip(fc_scan *scan, uint16_t rows);
 void fc_sphere_draw(fc_scan *scan);
 void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
 bool fc_sphere_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box);
-void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form);
+void fc_sphere_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form);
 bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window);
 
@@ -61,7 +61,7 @@ int8_t fc_plane_hides(const fc_form *form, const int64_t light[3], const int32_t
 void fc_triangle_strip(fc_scan *scan, uint16_t rows);
 void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
 bool fc_triangle_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box);
-void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form);
+void fc_triangle_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form);
 bool fc_triangle_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window);
 

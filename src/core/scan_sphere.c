@@ -1290,59 +1290,74 @@ static uint32_t axes_of(const int16_t v[3], uint32_t *greatest) {
 }
 
 /*
- * Whether a ball seen from the light at C lies clear of what the tile shows, at a glance: W there is between its corners', so the
- * planes through the light along the upper and the lower edge bound it, and the ball lies beyond one of them.
+ * The planes through the light along the tile's upper and lower edge. W in the tile is between its corners', so it lies on one side
+ * of both.
  *
  * A corner w has 15 bits and is within 1 an axis, so the normal w1 x w2 is within e = 2 (w1 + w2 + 1) of their greatest axes. Cut to
- * 15 bits, m, it is within e 2^-s + 1; C has 15 bits within 1. So m.v is within |m|_1 + (e 2^-s + 1) (|v|_1 + 3) for either.
+ * 15 bits, m, it is within e 2^-s + 1. So m.v is within |m|_1 + (e 2^-s + 1) (|v|_1 + 3) for a v of 15 bits within 1.
  */
-static bool beyond_edges(const fc_planar *receiver, const int64_t center[3], int64_t radius) {
-  int16_t c[3];
-  int32_t reach;
-  uint64_t most = (uint64_t)radius;
-  uint32_t c_sum, greatest;
-  uint8_t i, edge, shift;
-  for (i = 0; i < 3; i++) most |= fc_abs64(center[i]);
-  shift = fc_bits64(most);
-  shift = shift > 15 ? (uint8_t)(shift - 15) : 0;
-  for (i = 0; i < 3; i++) c[i] = (int16_t)fc_floor_shift64(center[i], shift);
-  reach = (int32_t)(radius >> shift) + 1;
-  c_sum = axes_of(c, &greatest);
-  for (edge = 0; edge < 4; edge = (uint8_t)(edge + 2)) {
-    const int16_t *u = receiver->corner[edge], *v = receiver->corner[edge + 1];
-    const int16_t *near = receiver->corner[2 - edge], *next = receiver->corner[3 - edge];
-    int32_t wide[3], inner, other, ball, slack, at;
-    int16_t m[3];
-    uint32_t error, sum, a, b;
+static FC_COLD void find_edges(fc_planar *receiver) {
+  uint8_t i, k;
+  for (k = 0; k < 2; k++) {
+    fc_planar_edge *edge = &receiver->edge[k];
+    const int16_t *u = receiver->corner[2 * k], *v = receiver->corner[2 * k + 1];
+    const int16_t *near = receiver->corner[2 - 2 * k], *next = receiver->corner[3 - 2 * k];
+    int32_t wide[3], inner, other, slack;
+    uint32_t most = 0, error, a, b;
+    uint8_t shift;
+    edge->side = 0;
     (void)axes_of(u, &a);
     (void)axes_of(v, &b);
     error = 2 * (a + b + 1);
-    most = 0;
     for (i = 0; i < 3; i++) {
-      uint8_t j = (uint8_t)(i == 2 ? 0 : i + 1), k = (uint8_t)(i == 0 ? 2 : i - 1);
-      wide[i] = (int32_t)u[j] * v[k] - (int32_t)u[k] * v[j]; /* products below 2^28 */
+      uint8_t j = (uint8_t)(i == 2 ? 0 : i + 1), h = (uint8_t)(i == 0 ? 2 : i - 1);
+      wide[i] = (int32_t)u[j] * v[h] - (int32_t)u[h] * v[j]; /* products below 2^28 */
       most |= fc_abs32(wide[i]);
     }
     shift = fc_bits64(most);
     shift = shift > 15 ? (uint8_t)(shift - 15) : 0;
     error = (error >> shift) + 2;
     if (error >> 10 != 0) continue; /* all but parallel */
-    for (i = 0; i < 3; i++) m[i] = (int16_t)fc_floor_shift32(wide[i], shift);
-    sum = axes_of(m, &greatest);
+    for (i = 0; i < 3; i++) edge->normal[i] = (int16_t)fc_floor_shift32(wide[i], shift);
+    edge->error = (uint16_t)error;
+    edge->sum = axes_of(edge->normal, &edge->greatest);
     a = axes_of(near, &b);
     a += axes_of(next, &b); /* more than either */
-    slack = (int32_t)((sum + error * (a + 3)) / 4) + 4; /* 17 bits; 10 + 18 */
+    slack = (int32_t)((edge->sum + error * (a + 3)) / 4) + 4; /* 17 bits; 10 + 18 */
+    inner = side_of(edge->normal, near);
+    other = side_of(edge->normal, next);
+    edge->side = (int8_t)((inner > slack && other > slack) - (inner < -slack && other < -slack));
+  }
+  receiver->edges_known = true;
+}
+
+/* Whether a ball seen from the light at C lies clear of what the tile shows, at a glance: beyond one of these planes. */
+static bool beyond_edges(fc_planar *receiver, const int64_t center[3], int64_t radius) {
+  int16_t c[3];
+  uint64_t most = (uint64_t)radius;
+  uint32_t c_sum, reach, greatest;
+  uint8_t i, shift;
+  if (!receiver->edges_known) find_edges(receiver);
+  if (receiver->edge[0].side == 0 && receiver->edge[1].side == 0) return false;
+  for (i = 0; i < 3; i++) most |= fc_abs64(center[i]);
+  shift = fc_bits64(most);
+  shift = shift > 15 ? (uint8_t)(shift - 15) : 0;
+  for (i = 0; i < 3; i++) c[i] = (int16_t)fc_floor_shift64(center[i], shift);
+  reach = (uint32_t)(radius >> shift) + 1;
+  c_sum = axes_of(c, &greatest);
+  for (i = 0; i < 2; i++) {
+    const fc_planar_edge *edge = &receiver->edge[i];
+    int32_t ball, at;
+    if (edge->side == 0) continue;
     /* |m| is at most its longest axis and half the others: 15 + 17 bits, quartered */
-    ball = (int32_t)(((uint32_t)reach * ((sum + greatest) / 2 + 1)) / 4 + (sum + error * (c_sum + 3)) / 4) + 8;
-    inner = side_of(m, near);
-    other = side_of(m, next);
-    at = side_of(m, c);
-    if ((inner > slack && other > slack && at < -ball) || (inner < -slack && other < -slack && at > ball)) return true;
+    ball = (int32_t)((reach * ((edge->sum + edge->greatest) / 2 + 1)) / 4 + (edge->sum + edge->error * (c_sum + 3)) / 4) + 8;
+    at = side_of(edge->normal, c);
+    if (edge->side > 0 ? at < -ball : at > ball) return true;
   }
   return false;
 }
 
-void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
+void fc_sphere_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   const int64_t *c = form->u.sphere.center;
   int64_t center[3], radius = form->u.sphere.radius;
   fc_cone cone;

@@ -310,7 +310,7 @@ bool fc_triangle_averted(const int32_t a[3], const int32_t b[3], const int32_t c
   return volume <= (cut ? norm1(v[2]) : 0);
 }
 
-void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
+void fc_triangle_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   int32_t a[3][3], n[3][3], more[3] = {0, 0, 0};
   int64_t volume;
   fc_facet facet;
