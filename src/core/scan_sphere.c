@@ -1332,7 +1332,7 @@ static FC_COLD void find_edges(fc_planar *receiver) {
 }
 
 /* Whether a ball seen from the light at C lies clear of what the tile shows, at a glance: beyond one of these planes. */
-static bool beyond_edges(fc_planar *receiver, const int64_t center[3], int64_t radius) {
+static FC_NOINLINE bool beyond_edges(fc_planar *receiver, const int64_t center[3], int64_t radius) {
   int16_t c[3];
   uint64_t most = (uint64_t)radius;
   uint32_t c_sum, reach, greatest;
