@@ -1254,7 +1254,7 @@ static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *t
 
 /* Whether f stays below `lit` all along a row. Seen as a parabola it does for certain where it opens downwards and its vertex,
  * f + (dx - dxx / 2)^2 / (2 |dxx|), lies below: words of 31 bits, rounded to the safe side. */
-static bool row_is_clear(const fc_cone *cone, int64_t lit) {
+static FC_NOINLINE bool row_is_clear(const fc_cone *cone, int64_t lit) {
   uint32_t slope, bend, below;
   if (cone->dxx >= 0 || cone->f >= lit) return false;
   slope = (uint32_t)(fc_abs64(fc_to_i64((uint64_t)cone->dx - (uint64_t)fc_floor_shift64(cone->dxx, 1))) >> 32) + 1;
@@ -1357,15 +1357,58 @@ static FC_NOINLINE bool beyond_edges(fc_planar *receiver, const int64_t center[3
   return false;
 }
 
+/* A row whose form is f, dx and dxx at its first pixel. */
+static FC_NOINLINE void darken_row(fc_scan *scan, const shadow_test *test, uint16_t row, uint64_t f, uint64_t dx, uint64_t dxx) {
+  const bool concave = fc_to_i64(dxx) < 0;
+  const int64_t lit = test->lit;
+  /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|; f, below 2^62,
+   * bends by 8 dxx over 8 columns */
+  const int64_t bulge = scan->columns < 8 ? 0 : (int64_t)fc_abs64(fc_to_i64(dxx));
+  uint16_t column = 0;
+  uint8_t word;
+  for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
+    uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
+    /* 32 columns on: f + 32 dx + 496 dxx */
+    uint64_t f_next = f + (dx << 5) + (dxx << 9) - (dxx << 4), dx_next = dx + (dxx << 5);
+    /* an ellipse: once f is below and falls, or as long as it still rises and stays below, there is nothing to find */
+    if (concave && fc_to_i64(f) < lit && fc_to_i64(dx) <= 0) break;
+    if (concave && word + 1 < scan->words && fc_to_i64(f_next) < lit && fc_to_i64(dx_next - dxx) >= 0) bits = 0;
+    /* what lies past the tile does not fit */
+    if (bits != 0 && (word + 1 == scan->words || fc_to_i64(f) >= lit - (bulge << 7) || fc_to_i64(f_next) >= lit - (bulge << 7))) {
+      uint8_t k;
+      for (k = 0; bits != 0; k = (uint8_t)(k + 8), bits >>= 8) {
+        /* 8 on: f + 8 dx + 28 dxx */
+        uint64_t f8 = f + (dx << 3) + (dxx << 5) - (dxx << 2);
+        uint32_t some = bits & 0xffu;
+        if (concave && fc_to_i64(f) < lit && fc_to_i64(dx) <= 0) break;
+        if (some != 0 && column + k + 8 > scan->columns) {
+          darkened |= shade_some(scan, test, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
+        } else if (some != 0) {
+          const bool falls = fc_to_i64(f8) < fc_to_i64(f);
+          const int64_t low = fc_to_i64(falls ? f8 : f), high = fc_to_i64(falls ? f : f8);
+          if (high >= lit - (bulge << 3) && !(concave && fc_to_i64(f8) < lit && fc_to_i64(dx + (dxx << 3) - dxx) >= 0)) {
+            if (low > test->dark + (bulge << 3) && test->everywhere > 0 && !test->doubted)
+              darkened |= some << k;
+            else
+              darkened |= shade_some(scan, test, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
+          }
+        }
+        f = f8;
+        dx += dxx << 3;
+      }
+      if (darkened != 0) fc_planar_darken(scan, row, column, darkened);
+    }
+    f = f_next;
+    dx = dx_next;
+  }
+}
+
 void fc_sphere_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   const int64_t *c = form->u.sphere.center;
   int64_t center[3], radius = form->u.sphere.radius;
   fc_cone cone;
-  ahead_form ahead;
   uint16_t row;
   uint8_t i;
-  int8_t everywhere;
-  int64_t bulge;
   bool known = false;
   shadow_test clear;
   for (i = 0; i < 3; i++) center[i] = c[i] - scan->frame->lights[i]; /* below 2^31 */
@@ -1375,65 +1418,21 @@ void fc_sphere_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, c
     return;
   }
   if (beyond_edges(receiver, center, radius)) return;
-  everywhere = set_ahead(scan, receiver, center, &ahead);
-  if (everywhere < 0) return;
+  clear.everywhere = set_ahead(scan, receiver, center, &clear.ahead);
+  if (clear.everywhere < 0) return;
   fc_cone_setup(&cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
   clear.dark = cone.error;
   clear.lit = -cone.error;
-  clear.everywhere = everywhere;
-  clear.ahead = ahead;
   clear.receiver = receiver;
   clear.kind = kind;
   clear.form = form;
-  /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|; f, below 2^62,
-   * bends by 8 dxx over 8 columns */
-  bulge = scan->columns < 8 ? 0 : (int64_t)fc_abs64(cone.dxx);
   for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(&cone)) {
-    uint64_t f = (uint64_t)cone.f, dx = (uint64_t)cone.dx;
-    const uint64_t dxx = (uint64_t)cone.dxx;
-    const bool concave = cone.dxx < 0;
-    uint16_t column = 0;
-    uint8_t word;
     if (row < scan->first_row || row_is_clear(&cone, clear.lit)) continue;
     if (!known) {
       if (!fc_planar_faces_ball(scan, receiver, c, radius, &clear.doubt)) return;
       known = true;
     }
     clear.doubted = scan->y + row >= clear.doubt.y0 && scan->y + row <= clear.doubt.y1;
-    for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
-      uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
-      /* 32 columns on: f + 32 dx + 496 dxx */
-      uint64_t f_next = f + (dx << 5) + (dxx << 9) - (dxx << 4), dx_next = dx + (dxx << 5);
-      /* an ellipse: once f is below and falls, or as long as it still rises and stays below, there is nothing to find */
-      if (concave && fc_to_i64(f) < clear.lit && fc_to_i64(dx) <= 0) break;
-      if (concave && word + 1 < scan->words && fc_to_i64(f_next) < clear.lit && fc_to_i64(dx_next - dxx) >= 0) bits = 0;
-      /* what lies past the tile does not fit */
-      if (bits != 0 && (word + 1 == scan->words || fc_to_i64(f) >= clear.lit - (bulge << 7) || fc_to_i64(f_next) >= clear.lit - (bulge << 7))) {
-        uint8_t k;
-        for (k = 0; bits != 0; k = (uint8_t)(k + 8), bits >>= 8) {
-          /* 8 on: f + 8 dx + 28 dxx */
-          uint64_t f8 = f + (dx << 3) + (dxx << 5) - (dxx << 2);
-          uint32_t some = bits & 0xffu;
-          if (concave && fc_to_i64(f) < clear.lit && fc_to_i64(dx) <= 0) break;
-          if (some != 0 && column + k + 8 > scan->columns) {
-            darkened |= shade_some(scan, &clear, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
-          } else if (some != 0) {
-            int64_t low = fc_to_i64(f) < fc_to_i64(f8) ? fc_to_i64(f) : fc_to_i64(f8), high = fc_to_i64(f) < fc_to_i64(f8) ? fc_to_i64(f8) : fc_to_i64(f);
-            if (high >= clear.lit - (bulge << 3) &&
-                !(concave && fc_to_i64(f8) < clear.lit && fc_to_i64(dx + (dxx << 3) - dxx) >= 0)) {
-              if (low > clear.dark + (bulge << 3) && everywhere > 0 && !clear.doubted)
-                darkened |= some << k;
-              else
-                darkened |= shade_some(scan, &clear, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
-            }
-          }
-          f = f8;
-          dx += dxx << 3;
-        }
-        if (darkened != 0) fc_planar_darken(scan, row, column, darkened);
-      }
-      f = f_next;
-      dx = dx_next;
-    }
+    darken_row(scan, &clear, row, (uint64_t)cone.f, (uint64_t)cone.dx, (uint64_t)cone.dxx);
   }
 }
