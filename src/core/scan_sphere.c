@@ -104,7 +104,7 @@ typedef struct ball_light {
   uint8_t octave, octaves; /* p of fewer bits, or octaves or more above them, is left to the ray engine */
   fc_quick depth;         /* near 2^(30 + drop) / F: over p it is t */
   uint32_t curve[3];      /* cosine / (s - h) = curve[0] + x (curve[1] + x curve[2]), Q16, x = s - h; curve[0] 0: see cosine_of */
-  uint8_t occluders;      /* MANY: more than the list holds */
+  uint8_t occluders;      /* MANY: more than the list holds; UNSOUGHT */
   uint8_t unit;           /* a short vector's unit is 2^this: what lies between light and ball has 15 bits */
   struct {
     uint16_t primitive;
@@ -118,6 +118,7 @@ typedef struct ball_light {
 
 enum { LIGHT_UNKNOWN, LIGHT_FORMS, LIGHT_SLOW };
 #define MANY 255
+#define UNSOUGHT 254 /* nothing in the tile has faced the light yet */
 
 typedef struct occluder_list {
   const fc_scan *scan;
@@ -593,11 +594,12 @@ static FC_NOINLINE void shade_any(const ball_light *light, const fc_tint *tint, 
 }
 
 /* Lights the pixels of a row in `bits`, given p of each and in `e` a copy that is used up. */
-static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
+static void light_row(const fc_scan *scan, ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
                       const uint32_t *p, uint32_t *e) {
   uint32_t open, dark, bit = 1, rest;
   uint8_t i;
   open = facing_row(light, light->at + light->dx * column + light->dy * row, bits, e, &dark);
+  if (light->occluders == UNSOUGHT && (bits & ~dark) != 0) find_occluders(scan, light);
   rest = light->occluders == 0 ? open : bits & ~dark;
   for (i = 0; rest != 0; rest >>= 1, bit <<= 1, i++) {
     uint16_t x = (uint16_t)(column + i);
@@ -618,7 +620,7 @@ static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row
 }
 
 /* The same among occluders, who are asked about the points. */
-static FC_COLD void light_row_among(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column,
+static FC_COLD void light_row_among(const fc_scan *scan, ball_light *light, uint16_t row, uint16_t column,
                                         uint32_t bits, const uint32_t *p) {
   uint32_t e[32], rest;
   uint8_t i;
@@ -1033,7 +1035,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
       if (bits == 0) continue;
       if (how == LIGHT_UNKNOWN) {
         how = set_light(scan, &light, ball.drop, ball.error);
-        if (how == LIGHT_FORMS) find_occluders(scan, &light);
+        light.occluders = UNSOUGHT;
       }
       if (how == LIGHT_SLOW)
         fc_scan_shade_slowly(scan, row, column, bits);
