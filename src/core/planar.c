@@ -289,7 +289,7 @@ static FC_COLD uint32_t per_step(uint16_t n) {
   return q;
 }
 
-static FC_COLD void set_corners(fc_planar *planar) {
+FC_COLD void fc_planar_find_corners(fc_planar *planar) {
   const uint16_t columns = (uint16_t)(planar->right - planar->left), rows = (uint16_t)(planar->bottom - planar->top);
   uint8_t i, j;
   for (j = 0; j < 3; j++) {
@@ -298,16 +298,20 @@ static FC_COLD void set_corners(fc_planar *planar) {
     for (i = 0; i < 4; i++)
       planar->corner[i][j] = (int16_t)fc_floor_shift32(w + (i & 1 ? right : 0) + (i & 2 ? down : 0) + 0x8000, 16);
   }
-  planar->edges_known = false;
-  planar->per_column = per_step(columns);
-  planar->per_row = per_step(rows);
+  planar->corners_known = true;
+}
+
+FC_COLD void fc_planar_find_steps(fc_planar *planar) {
+  planar->per_column = per_step((uint16_t)(planar->right - planar->left));
+  planar->per_row = per_step((uint16_t)(planar->bottom - planar->top));
+  planar->steps_known = true;
 }
 
 /* Candidates for occluders, each asked to darken what it can. */
 static void cast_shadows(fc_scan *scan, fc_planar *planar, const int64_t *hull, uint8_t corners) {
   const bool sieve = scan->frame->scene.bvh != NULL;
   if (!find_rectangle(scan, planar)) return;
-  set_corners(planar);
+  planar->corners_known = planar->edges_known = planar->steps_known = false;
   if (corners == 0 && sieve)
     cast_from_tile(scan, planar);
   else if (!sieve || scan->columns * scan->rows < SMALL_TILE || !cast_from_part(scan, planar))

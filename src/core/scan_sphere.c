@@ -1300,6 +1300,7 @@ static uint32_t axes_of(const int16_t v[3], uint32_t *greatest) {
  */
 static FC_COLD void find_edges(fc_planar *receiver) {
   uint8_t i, k;
+  if (!receiver->corners_known) fc_planar_find_corners(receiver);
   for (k = 0; k < 2; k++) {
     fc_planar_edge *edge = &receiver->edge[k];
     const int16_t *u = receiver->corner[2 * k], *v = receiver->corner[2 * k + 1];

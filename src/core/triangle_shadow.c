@@ -295,9 +295,13 @@ static bool touches(const fc_scan *scan, const fc_planar *receiver, const edge_g
 }
 
 /* Whether a triangle seen from the light darkens nothing that the mask shows, by both glances. */
-static FC_NOINLINE bool is_clear(const fc_scan *scan, const fc_planar *receiver, const int32_t a[3][3], int8_t hidden) {
+static FC_NOINLINE bool is_clear(const fc_scan *scan, fc_planar *receiver, const int32_t a[3][3], int8_t hidden) {
   edge_glance edges[3];
-  return misses(receiver, a, hidden, edges) || (hidden != 0 && !touches(scan, receiver, edges, hidden));
+  if (!receiver->corners_known) fc_planar_find_corners(receiver);
+  if (misses(receiver, a, hidden, edges)) return true;
+  if (hidden == 0) return false;
+  if (!receiver->steps_known) fc_planar_find_steps(receiver);
+  return !touches(scan, receiver, edges, hidden);
 }
 
 bool fc_triangle_averted(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int64_t light[3]) {
