@@ -87,8 +87,9 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
 
 static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   fc_placed_vertex *placed = (fc_placed_vertex *)(void *)((fc_placed_mesh *)to + 1);
-  fc_transform t;
-  bool quick = fc_transform_find(view, &t);
+  fc_transform found;
+  const bool quick = fc_transform_find(view, &found);
+  const fc_transform t = found; /* one that no pointer leads to may stay in registers */
   uint16_t i;
   uint8_t j;
   for (i = 0; i < shapes->vertex_count; i++) {
