@@ -201,7 +201,8 @@ static FC_COLD uint8_t ray_end(const fc_reach *reach, int64_t to[3]) {
 /* What has to be visited: everything, because the ends are far beyond what is kept of them; nothing; what is met. */
 enum { VISIT_ALL, VISIT_NONE, VISIT_MET };
 
-static uint8_t start(sweep *s, const fc_bvh *bvh, const fc_view *view, const fc_reach *reach) {
+/* A function of its own: its boxes are off the stack when visitors are called. */
+static FC_NOINLINE uint8_t start(sweep *s, const fc_bvh *bvh, const fc_view *view, const fc_reach *reach) {
   cell_box from, to, whole;
   uint8_t i, bits = 0;
   if (reach->radius < 0 || reach->radius >> 31 != 0) return VISIT_ALL;

@@ -111,7 +111,7 @@ struct fc_kind {
   /* Draws a tile of the primitive: depth, visibility, light (scan.h). */
   void (*draw)(fc_scan *scan);
   /* Clears the mask of a planar receiver where the form keeps its light away (planar.h). */
-  void (*shadow)(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form);
+  void (*shadow)(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form);
   /* Whether the form might come between a light and some point of a ball that is seen from outside, and in which pixels;
    * true when in doubt. The window is cut to the frame. */
   bool (*between)(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],

@@ -94,13 +94,6 @@ static inline uint8_t fc_seen_exponent(uint32_t seen) { return (uint8_t)(seen & 
 /* 2^63 / m for m in 2^31 .. 2^32-1, relative error below 2^-28.5, at most 2^32 - 1. */
 uint32_t fc_recip_q63(uint32_t m);
 
-/* a b. Where it takes four short products, a function: in line they want more registers than there are. */
-#ifdef FC_SHORT_MULTIPLIER
-int64_t fc_product(int32_t a, int32_t b);
-#else
-static inline int64_t fc_product(int32_t a, int32_t b) { return (int64_t)a * b; }
-#endif
-
 size_t fc_mesh_memory(const fc_shapes *shapes);
 
 /* The strip's items in a table, bin by bin: start, then call until it says FC_BIN_END. */

@@ -153,27 +153,38 @@ static FC_COLD bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t col
 }
 
 /* Up to 32 pixels in one octave and within the far limit, as depth codes with 16 fraction bits, half and open / 2 added;
- * returns those shown: 1 is the first. */
-static FC_HOT uint32_t affine_codes(const fc_scan *scan, uint16_t row, uint16_t column, uint8_t count, uint32_t at,
-                                    uint32_t step, uint32_t open) {
-  uint16_t *const first = fc_scan_depth(scan, row, column), *depth = first;
+ * returns those shown: 1 is the first. What only the ray engine can tell is left in *asked: nothing is called in the loop, which
+ * leaves it all registers. */
+static FC_HOT uint32_t affine_codes(uint16_t *restrict depth, uint8_t count, uint32_t at, uint32_t step, uint32_t open,
+                                    uint32_t *restrict asked) {
   const uint8_t spare = (uint8_t)(32 - count);
   /* the last pixel's is the highest bit, so that the loop ends when the bit is shifted out */
-  uint32_t bits = 0, bit = UINT32_C(1) << spare;
+  uint32_t bits = 0, rare = 0, bit = UINT32_C(1) << spare;
   open <<= 16;
   do {
-    uint32_t code = at >> 16;
-    if (FC_RARELY(at << 16 <= open || code == *depth)) {
-      if (fc_scan_exact(scan, row, (uint16_t)(column + (depth - first)))) bits |= bit;
+    const uint32_t code = at >> 16;
+    if (FC_RARELY(at << 16 <= open)) {
+      rare |= bit;
     } else if (code > *depth) {
       *depth = (uint16_t)code;
       bits |= bit;
+    } else if (FC_RARELY(code == *depth)) {
+      rare |= bit;
     }
     at += step;
     depth++;
     bit <<= 1;
   } while (bit != 0);
+  *asked = rare >> spare;
   return bits >> spare;
+}
+
+/* Those of some pixels that the ray engine finds shown. */
+static FC_COLD uint32_t ask_each(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t pixels) {
+  uint32_t bits = 0, bit = 1;
+  for (; pixels != 0; pixels >>= 1, bit <<= 1, column++)
+    if ((pixels & 1) && fc_scan_exact(scan, row, column)) bits |= bit;
+  return bits;
 }
 
 /* Depth codes of pixels in one octave, with 16 fraction bits, half and open / 2 added, and the step between them. */
@@ -230,14 +241,32 @@ static bool of_kind(const affine_kind *kind, uint64_t at) {
   return p >= kind->low && p <= kind->high;
 }
 
+/* About the last of a kind among less than `end` pixels, bit by bit: steps are floored, so that it may be off by some. */
+static uint16_t last_of_kind(const affine_kind *kind, uint64_t at, int64_t step, uint16_t end) {
+  /* below the span as unsigned numbers: within it */
+  const uint32_t span = (uint32_t)kind->high - (uint32_t)kind->low, from = (uint32_t)(at >> 32) - (uint32_t)kind->low;
+  const uint32_t move = (uint32_t)fc_high_word(step);
+  uint16_t count = 0, part;
+  for (part = 256; part != 0; part >>= 1) {
+    const uint16_t n = (uint16_t)(count + part);
+    if (n < end && from + move * n <= span) count = n;
+  }
+  return count;
+}
+
 /* The row's pixels from `column` on, by words. */
 static void affine_plain(fc_scan *scan, uint16_t row, uint16_t column, uint16_t count, affine_form *form) {
   uint32_t *mask = scan->mask + row * scan->words + (column >> 5);
+  uint16_t *depth = fc_scan_depth(scan, row, column);
   while (count != 0) {
     uint8_t some = (uint8_t)(32 - (column & 31));
+    uint32_t bits, asked;
     if (some > count) some = (uint8_t)count;
-    *mask++ |= affine_codes(scan, row, column, some, form->at, form->step, form->open) << (column & 31);
+    bits = affine_codes(depth, some, form->at, form->step, form->open, &asked);
+    if (asked != 0) bits |= ask_each(scan, row, column, asked);
+    *mask++ |= bits << (column & 31);
     form->at += form->step * some;
+    depth += some;
     column = (uint16_t)(column + some);
     count = (uint16_t)(count - some);
   }
@@ -276,19 +305,11 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
     }
     next = at + fc_times((uint64_t)step, count);
     if (!of_kind(&kind, next)) {
-      /* the last of its kind, bit by bit: steps of up to half the run, whose values fit */
-      const uint16_t whole = count;
-      uint16_t part = 1;
-      int64_t move = step;
-      while (2 * part < whole) {
-        part = (uint16_t)(2 * part);
-        move *= 2;
-      }
-      next = at;
-      for (count = 0; part != 0; part /= 2, move = fc_floor_shift64(move, 1)) {
-        if (count + part >= whole || !of_kind(&kind, next + (uint64_t)move)) continue;
-        count = (uint16_t)(count + part);
-        next += (uint64_t)move;
+      count = last_of_kind(&kind, at, step, count);
+      next = at + fc_times((uint64_t)step, count);
+      while (!of_kind(&kind, next)) { /* ends at 0, which is */
+        count--;
+        next -= (uint64_t)step;
       }
     }
     count++;
@@ -573,20 +594,24 @@ FC_COLD int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, co
   return pixel_bytes;
 }
 
-FC_COLD void fc_scan_each(fc_scan *scan, uint16_t rows) {
+FC_COLD void fc_scan_item(fc_scan *scan, uint16_t index, uint16_t rows) {
   const fc_group *group = &scan->at->group;
   const fc_kind *kind = fc_kind_of(scan->at);
-  for (scan->index = 0; scan->index < group->shapes.count; scan->index++) {
-    fc_form form;
-    fc_window box;
-    if (!kind->window(scan->frame, group, scan->index, &box)) continue;
-    if (box.y1 < (int32_t)scan->strip || box.y0 > (int32_t)scan->strip + rows - 1) continue;
-    kind->fetch(group, scan->index, &form);
-    scan->form = &form;
-    scan->primitive = (uint16_t)(group->first + scan->index);
-    fc_scan_tint(scan);
-    draw(scan, &box, rows);
-  }
+  fc_form form;
+  fc_window box;
+  if (!kind->window(scan->frame, group, index, &box)) return;
+  if (box.y1 < (int32_t)scan->strip || box.y0 > (int32_t)scan->strip + rows - 1) return;
+  kind->fetch(group, index, &form);
+  scan->form = &form;
+  scan->index = index;
+  scan->primitive = (uint16_t)(group->first + index);
+  fc_scan_tint(scan);
+  draw(scan, &box, rows);
+}
+
+FC_COLD void fc_scan_each(fc_scan *scan, uint16_t rows) {
+  uint16_t index;
+  for (index = 0; index < scan->at->group.shapes.count; index++) fc_scan_item(scan, index, rows);
 }
 
 FC_COLD void fc_strip_finish(const fc_frame *frame, uint16_t rows, const fc_target *target) {
