@@ -146,6 +146,30 @@ static void stop_and_start(void) {
 }
 static void test_a_stopped_panel_is_dark_and_starts_again(void) { for_each(stop_and_start); }
 
+static int vsync(void *context) {
+  (void)context;
+  return -33;
+}
+/* What the bus has wired, the display can; what it has not, it says. */
+static void talents(void) {
+  TEST_ASSERT_EQUAL_UINT(it.options.twelve_bit ? FC_DISPLAY_RGB444 : it.record->format, it.can.format);
+  TEST_ASSERT_EQUAL_UINT(it.bus.ops.data_start != NULL, it.can.asynchronous);
+  TEST_ASSERT_EQUAL_UINT(0, it.can.has_flush);
+  TEST_ASSERT_EQUAL_UINT(1, it.can.has_backlight);
+  TEST_ASSERT_EQUAL_UINT(0, it.can.has_vsync);
+  TEST_ASSERT_EQUAL_INT(FC_ERR_UNSUPPORTED, fc_display_flush(&it.display));
+  TEST_ASSERT_EQUAL_INT(FC_ERR_UNSUPPORTED, fc_display_wait_vsync(&it.display));
+  it.bus.ops.backlight = NULL;
+  it.bus.ops.wait_vsync = vsync;
+  fc_display_capabilities_get(&it.display, &it.can);
+  TEST_ASSERT_EQUAL_UINT(0, it.can.has_backlight);
+  TEST_ASSERT_EQUAL_UINT(1, it.can.has_vsync);
+  TEST_ASSERT_EQUAL_INT(FC_ERR_UNSUPPORTED, fc_display_backlight(&it.display, 9));
+  TEST_ASSERT_EQUAL_INT(-33, fc_display_wait_vsync(&it.display));
+  TEST_ASSERT_EQUAL_INT(FC_OK, fc_panel_stop(&it.state));
+}
+static void test_talents_are_those_of_the_bus(void) { for_each(talents); }
+
 /* Boards that do not wire the reset line. */
 static void no_reset_line(void) {
   it.bus.ops.reset = NULL;
@@ -178,6 +202,7 @@ int main(void) {
   RUN_TEST(test_areas_anywhere_from_buffers_with_gaps);
   RUN_TEST(test_ready_is_called_once_when_the_pixels_have_left);
   RUN_TEST(test_a_stopped_panel_is_dark_and_starts_again);
+  RUN_TEST(test_talents_are_those_of_the_bus);
   RUN_TEST(test_panels_start_and_restart_without_a_reset_line);
   return UNITY_END();
 }
