@@ -63,6 +63,7 @@ static uint16_t rgb444(uint16_t pixel, uint8_t b) {
 
 static void copy_row(const uint8_t *from, uint8_t *to, uint16_t width) {
   size_t i;
+  if (from == to) return;
   for (i = 0; i < (size_t)width * 2u; i++) to[i] = from[i];
 }
 
