@@ -38,8 +38,8 @@ int fc_display_write(const fc_display *display, const fc_area *area, const void 
   return display->ops->write(display->context, area, pixels, pitch_bytes);
 }
 
-int fc_display_write_start(const fc_display *display, const fc_area *area, const void *pixels, size_t pitch_bytes, fc_ready *ready,
-                           void *ready_context) {
+int fc_display_write_start(const fc_display *display, const fc_area *area, const void *pixels,
+                           size_t pitch_bytes, fc_ready *ready, void *ready_context) {
   int error = check(display, area, pixels, pitch_bytes);
   if (error != FC_OK) return error;
   if (display->ops->write_start != NULL) {
@@ -62,7 +62,8 @@ int fc_display_flush(const fc_display *display) {
 
 int fc_display_backlight(const fc_display *display, uint8_t level) {
   if (display == NULL || display->ops == NULL) return FC_ERR_NULL;
-  return display->ops->backlight != NULL ? display->ops->backlight(display->context, level) : FC_ERR_UNSUPPORTED;
+  return display->ops->backlight != NULL ? display->ops->backlight(display->context, level)
+                                         : FC_ERR_UNSUPPORTED;
 }
 
 int fc_display_wait_vsync(const fc_display *display) {

@@ -8,7 +8,7 @@
 enum {
   CHUNK = 16,           /* bytes of a command table that are copied to RAM at a time */
   DELAY_UNIT_US = 5000, /* of FC_PANEL_DELAY */
-  PAGE_ROWS = 8     /* rows of a page of FC_DISPLAY_MONO8 */
+  PAGE_ROWS = 8         /* rows of a page of FC_DISPLAY_MONO8 */
 };
 
 /* ---- commands ---- */
@@ -51,10 +51,12 @@ static int send_window(const fc_bus *bus, uint8_t style, uint16_t x0, uint16_t x
   int error;
   switch (style) {
     case FC_WINDOW_MIPI:
-      data[0] = (uint8_t)(x0 >> 8), data[1] = (uint8_t)x0, data[2] = (uint8_t)(x1 >> 8), data[3] = (uint8_t)x1;
+      data[0] = (uint8_t)(x0 >> 8), data[1] = (uint8_t)x0, data[2] = (uint8_t)(x1 >> 8),
+      data[3] = (uint8_t)x1;
       error = send_command(bus, 0x2A, data, 4); /* CASET */
       if (error != FC_OK) return error;
-      data[0] = (uint8_t)(y0 >> 8), data[1] = (uint8_t)y0, data[2] = (uint8_t)(y1 >> 8), data[3] = (uint8_t)y1;
+      data[0] = (uint8_t)(y0 >> 8), data[1] = (uint8_t)y0, data[2] = (uint8_t)(y1 >> 8),
+      data[3] = (uint8_t)y1;
       error = send_command(bus, 0x2B, data, 4); /* RASET */
       return error != FC_OK ? error : send_command(bus, 0x2C, NULL, 0);
     case FC_WINDOW_SSD1322:
@@ -95,7 +97,8 @@ static void panel_capabilities(void *context, fc_display_capabilities *to) {
   to->format = format_of(state, &panel);
   to->x_align = 1;
   to->y_align = 1;
-  if (to->format == FC_DISPLAY_RGB444 || to->format == FC_DISPLAY_GREY4) to->x_align = 2; /* whole bytes a row */
+  if (to->format == FC_DISPLAY_RGB444 || to->format == FC_DISPLAY_GREY4)
+    to->x_align = 2; /* whole bytes a row */
   if (panel.window == FC_WINDOW_SSD1322) to->x_align = 4;
   if (to->format == FC_DISPLAY_MONO8) to->y_align = PAGE_ROWS;
   to->asynchronous = ops->data_start != NULL;
@@ -110,13 +113,14 @@ static int panel_wait(void *context) {
   if (!state->busy) return FC_OK;
   state->busy = 0; /* an error is told once */
   error = state->bus.ops->wait(state->bus.context);
-  if (error != FC_OK) state->next_y = UINT16_MAX; /* who knows where the controller is: open the window anew */
+  if (error != FC_OK)
+    state->next_y = UINT16_MAX; /* who knows where the controller is: open the window anew */
   return error;
 }
 
 /* An area's pixels. All but the last row of bytes are sent at once, and that too unless `start` says that it may go on afterwards. */
-static int send_pixels(fc_panel_state *state, const uint8_t *pixels, size_t pitch_bytes, size_t row_bytes, uint16_t rows, bool start,
-                       fc_ready *ready, void *ready_context) {
+static int send_pixels(fc_panel_state *state, const uint8_t *pixels, size_t pitch_bytes, size_t row_bytes,
+                       uint16_t rows, bool start, fc_ready *ready, void *ready_context) {
   const fc_bus *bus = &state->bus;
   int error;
   if (pitch_bytes == row_bytes) { /* no gaps: one transfer */
@@ -138,8 +142,8 @@ static int send_pixels(fc_panel_state *state, const uint8_t *pixels, size_t pitc
  * Areas over the whole width that follow one another downwards share a window that reaches to the bottom: a controller goes on
  * where the last byte left it, even when the chip select was inactive meanwhile (ST7789V data sheet 8.6 "Data transfer pause"; the others alike).
  */
-static int write_area(fc_panel_state *state, const fc_area *area, const void *pixels, size_t pitch_bytes, bool start, fc_ready *ready,
-                      void *ready_context) {
+static int write_area(fc_panel_state *state, const fc_area *area, const void *pixels, size_t pitch_bytes,
+                      bool start, fc_ready *ready, void *ready_context) {
   fc_panel panel;
   uint8_t format;
   uint16_t rows;
@@ -159,7 +163,8 @@ static int write_area(fc_panel_state *state, const fc_area *area, const void *pi
   state->next_y = UINT16_MAX; /* until all has gone well */
   if (error != FC_OK) return error;
   rows = format == FC_DISPLAY_MONO8 ? (uint16_t)(area->height / PAGE_ROWS) : area->height;
-  error = send_pixels(state, pixels, pitch_bytes, fc_display_row_bytes(format, area->width), rows, start, ready, ready_context);
+  error = send_pixels(state, pixels, pitch_bytes, fc_display_row_bytes(format, area->width), rows, start,
+                      ready, ready_context);
   if (error == FC_OK && whole_width) state->next_y = (uint16_t)(area->y + area->height);
   return error;
 }
@@ -168,11 +173,12 @@ static int panel_write(void *context, const fc_area *area, const void *pixels, s
   return write_area(context, area, pixels, pitch_bytes, false, NULL, NULL);
 }
 
-static int panel_write_start(void *context, const fc_area *area, const void *pixels, size_t pitch_bytes, fc_ready *ready,
-                             void *ready_context) {
+static int panel_write_start(void *context, const fc_area *area, const void *pixels, size_t pitch_bytes,
+                             fc_ready *ready, void *ready_context) {
   fc_panel_state *state = context;
   int error;
-  if (state->bus.ops->data_start != NULL) return write_area(state, area, pixels, pitch_bytes, true, ready, ready_context);
+  if (state->bus.ops->data_start != NULL)
+    return write_area(state, area, pixels, pitch_bytes, true, ready, ready_context);
   error = write_area(state, area, pixels, pitch_bytes, false, NULL, NULL);
   if (error == FC_OK && ready != NULL) ready(ready_context, FC_OK);
   return error;
@@ -209,10 +215,12 @@ static int reset(const fc_bus *bus, const fc_panel *panel) {
   return error;
 }
 
-int fc_panel_start(fc_panel_state *state, const fc_panel *panel, const fc_bus *bus, const fc_panel_options *options, fc_display *display) {
+int fc_panel_start(fc_panel_state *state, const fc_panel *panel, const fc_bus *bus,
+                   const fc_panel_options *options, fc_display *display) {
   fc_panel record;
   int error;
-  if (state == NULL || panel == NULL || bus == NULL || bus->ops == NULL || display == NULL) return FC_ERR_NULL;
+  if (state == NULL || panel == NULL || bus == NULL || bus->ops == NULL || display == NULL)
+    return FC_ERR_NULL;
   FC_READ(&record, panel, sizeof record);
   state->panel = panel;
   state->bus = *bus;
@@ -222,12 +230,15 @@ int fc_panel_start(fc_panel_state *state, const fc_panel *panel, const fc_bus *b
   state->next_y = UINT16_MAX;
   state->busy = 0;
   if (state->options.twelve_bit && record.format12 == NULL) return FC_ERR_UNSUPPORTED;
-  if (bus->ops->wait != NULL) (void)bus->ops->wait(bus->context); /* what an earlier life left under way; its error is not ours */
+  if (bus->ops->wait != NULL)
+    (void)bus->ops->wait(bus->context); /* what an earlier life left under way; its error is not ours */
   error = bus->ops->configure(bus->context, record.init_hz, record.spi_mode);
   if (error == FC_OK) error = reset(bus, &record);
   if (error == FC_OK) error = replay(bus, record.init, record.data_as_commands);
-  if (error == FC_OK) error = replay(bus, record.turn[state->options.half_turn].direction, record.data_as_commands);
-  if (error == FC_OK && state->options.twelve_bit) error = replay(bus, record.format12, record.data_as_commands);
+  if (error == FC_OK)
+    error = replay(bus, record.turn[state->options.half_turn].direction, record.data_as_commands);
+  if (error == FC_OK && state->options.twelve_bit)
+    error = replay(bus, record.format12, record.data_as_commands);
   if (error == FC_OK) error = bus->ops->configure(bus->context, state->options.pixel_hz, record.spi_mode);
   if (error != FC_OK) return error;
   display->ops = &panel_ops;

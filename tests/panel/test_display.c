@@ -25,7 +25,8 @@ static int sink_write(void *context, const fc_area *area, const void *pixels, si
   last_pitch = pitch_bytes;
   return answer;
 }
-static int sink_write_start(void *context, const fc_area *area, const void *pixels, size_t pitch_bytes, fc_ready *ready, void *ready_context) {
+static int sink_write_start(void *context, const fc_area *area, const void *pixels, size_t pitch_bytes,
+                            fc_ready *ready, void *ready_context) {
   (void)context, (void)area, (void)pixels, (void)pitch_bytes, (void)ready, (void)ready_context;
   starts++;
   return answer;
@@ -52,7 +53,8 @@ static const fc_display plain = {&plain_ops, NULL}, rich = {&rich_ops, NULL};
 static const uint8_t pixels[40 * 2 * 16];
 
 void setUp(void) {
-  const fc_display_capabilities all = {.width = 40, .height = 16, .format = FC_DISPLAY_RGB565, .x_align = 1, .y_align = 1};
+  const fc_display_capabilities all = {
+      .width = 40, .height = 16, .format = FC_DISPLAY_RGB565, .x_align = 1, .y_align = 1};
   can = all;
   writes = starts = waits = 0;
   answer = FC_OK;
@@ -100,7 +102,8 @@ static void test_a_pitch_below_a_row_is_refused(void) {
   static const struct {
     uint8_t format;
     size_t row; /* of 20 pixels */
-  } cases[] = {{FC_DISPLAY_RGB565, 40}, {FC_DISPLAY_RGB444, 30}, {FC_DISPLAY_GREY4, 10}, {FC_DISPLAY_MONO8, 20}};
+  } cases[] = {
+      {FC_DISPLAY_RGB565, 40}, {FC_DISPLAY_RGB444, 30}, {FC_DISPLAY_GREY4, 10}, {FC_DISPLAY_MONO8, 20}};
   size_t i;
   for (i = 0; i < sizeof cases / sizeof *cases; i++) {
     can.format = cases[i].format;

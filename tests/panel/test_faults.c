@@ -72,8 +72,11 @@ static void every_byte(virtual_fault fault, const fc_panel *panel) {
   all_bytes = it.bus.bytes;
   TEST_ASSERT_TRUE(start_bytes > 5 && all_bytes > start_bytes + 200);
   rig_close(&it);
-  for (n = 0; n < all_bytes; n++) TEST_ASSERT_TRUE_MESSAGE(try_fault(panel, fault, n, start_bytes), "the fault was not told");
-  TEST_ASSERT_FALSE_MESSAGE(try_fault(panel, fault == VIRTUAL_STUCK ? VIRTUAL_NO_FAULT : fault, all_bytes + 1, start_bytes), "a fault after the end");
+  for (n = 0; n < all_bytes; n++)
+    TEST_ASSERT_TRUE_MESSAGE(try_fault(panel, fault, n, start_bytes), "the fault was not told");
+  TEST_ASSERT_FALSE_MESSAGE(
+      try_fault(panel, fault == VIRTUAL_STUCK ? VIRTUAL_NO_FAULT : fault, all_bytes + 1, start_bytes),
+      "a fault after the end");
 }
 
 static void test_a_transfer_that_fails_at_any_byte(void) {
@@ -106,7 +109,9 @@ static void test_a_transfer_that_fails_at_any_byte_of_an_oled(void) {
   oled_fails_at_any_byte(&fc_panel_ssd1306);
   oled_fails_at_any_byte(&fc_panel_ssd0323);
 }
-static void test_ready_with_an_error_at_any_byte(void) { every_byte(VIRTUAL_READY_FAILS, &fc_panel_st7789_135); }
+static void test_ready_with_an_error_at_any_byte(void) {
+  every_byte(VIRTUAL_READY_FAILS, &fc_panel_st7789_135);
+}
 static void test_a_transfer_that_never_ends(void) {
   TEST_ASSERT_TRUE(try_fault(&fc_panel_st7789_135, VIRTUAL_STUCK, 0, 0));
   TEST_ASSERT_TRUE(try_fault(&fc_panel_ssd1351, VIRTUAL_STUCK, 0, 0));
@@ -176,7 +181,8 @@ static void test_ready_is_not_called_for_an_error_that_was_returned(void) {
     TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
     it.bus.fault = VIRTUAL_FAIL;
     it.bus.fault_at = it.bus.bytes + 500;
-    TEST_ASSERT_EQUAL_INT(VIRTUAL_FAULT_CODE, fc_display_write_start(&it.display, &area, pixels, 270, tell, &was));
+    TEST_ASSERT_EQUAL_INT(VIRTUAL_FAULT_CODE,
+                          fc_display_write_start(&it.display, &area, pixels, 270, tell, &was));
     TEST_ASSERT_EQUAL_UINT(0, was.calls);
     rig_close(&it);
   }
