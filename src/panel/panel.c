@@ -13,11 +13,6 @@ enum {
 
 /* ---- commands ---- */
 
-static int send_command(const fc_bus *bus, uint8_t command, const uint8_t *data, uint8_t count) {
-  int error = bus->ops->command(bus->context, &command, 1);
-  return error != FC_OK || count == 0 ? error : bus->ops->data(bus->context, data, count);
-}
-
 /* Replays a table of panel.h's form, which is in constant memory. */
 static int replay(const fc_bus *bus, const uint8_t *table, bool data_as_commands) {
   for (;;) {
@@ -45,40 +40,52 @@ static int replay(const fc_bus *bus, const uint8_t *table, bool data_as_commands
   }
 }
 
+/* A command with the ends of a range, as bytes or, high byte first, as words. */
+static int send_range(const fc_bus *bus, uint8_t command, uint16_t first, uint16_t last, bool words) {
+  uint8_t data[4], count = 0;
+  const int error = bus->ops->command(bus->context, &command, 1);
+  if (error != FC_OK) return error;
+  if (words) data[count++] = (uint8_t)(first >> 8);
+  data[count++] = (uint8_t)first;
+  if (words) data[count++] = (uint8_t)(last >> 8);
+  data[count++] = (uint8_t)last;
+  return bus->ops->data(bus->context, data, count);
+}
+
+/* Columns, rows, and the command after which pixels come. */
+static int send_ranges(const fc_bus *bus, const uint8_t commands[3], uint16_t x0, uint16_t x1, uint16_t y0,
+                       uint16_t y1, bool words) {
+  int error = send_range(bus, commands[0], x0, x1, words);
+  if (error == FC_OK) error = send_range(bus, commands[1], y0, y1, words);
+  return error != FC_OK ? error : bus->ops->command(bus->context, &commands[2], 1);
+}
+
 /* Where pixels go: columns x0..x1 and rows y0..y1 of the controller's memory, the ends included. */
 static int send_window(const fc_bus *bus, uint8_t style, uint16_t x0, uint16_t x1, uint16_t y0, uint16_t y1) {
-  uint8_t data[6];
-  int error;
+  uint8_t bytes[6];
   switch (style) {
     case FC_WINDOW_MIPI:
-      data[0] = (uint8_t)(x0 >> 8), data[1] = (uint8_t)x0, data[2] = (uint8_t)(x1 >> 8),
-      data[3] = (uint8_t)x1;
-      error = send_command(bus, 0x2A, data, 4); /* CASET */
-      if (error != FC_OK) return error;
-      data[0] = (uint8_t)(y0 >> 8), data[1] = (uint8_t)y0, data[2] = (uint8_t)(y1 >> 8),
-      data[3] = (uint8_t)y1;
-      error = send_command(bus, 0x2B, data, 4); /* RASET */
-      return error != FC_OK ? error : send_command(bus, 0x2C, NULL, 0);
+      bytes[0] = 0x2A, bytes[1] = 0x2B, bytes[2] = 0x2C;
+      return send_ranges(bus, bytes, x0, x1, y0, y1, true);
     case FC_WINDOW_SSD1322:
       x0 /= 4, x1 /= 4;
       /* fall through */
     case FC_WINDOW_SSD1351:
-      data[0] = (uint8_t)x0, data[1] = (uint8_t)x1;
-      error = send_command(bus, 0x15, data, 2);
-      if (error != FC_OK) return error;
-      data[0] = (uint8_t)y0, data[1] = (uint8_t)y1;
-      error = send_command(bus, 0x75, data, 2);
-      return error != FC_OK ? error : send_command(bus, 0x5C, NULL, 0);
+      bytes[0] = 0x15, bytes[1] = 0x75, bytes[2] = 0x5C;
+      return send_ranges(bus, bytes, x0, x1, y0, y1, false);
     case FC_WINDOW_SSD0323:
-      data[0] = 0x15, data[1] = (uint8_t)(x0 / 2), data[2] = (uint8_t)(x1 / 2);
-      data[3] = 0x75, data[4] = (uint8_t)y0, data[5] = (uint8_t)y1;
-      return bus->ops->command(bus->context, data, 6);
+      bytes[0] = 0x15, bytes[3] = 0x75;
+      x0 /= 2, x1 /= 2;
+      break;
     case FC_WINDOW_SSD1306:
-      data[0] = 0x21, data[1] = (uint8_t)x0, data[2] = (uint8_t)x1;
-      data[3] = 0x22, data[4] = (uint8_t)(y0 / PAGE_ROWS), data[5] = (uint8_t)(y1 / PAGE_ROWS);
-      return bus->ops->command(bus->context, data, 6);
+      bytes[0] = 0x21, bytes[3] = 0x22;
+      y0 /= PAGE_ROWS, y1 /= PAGE_ROWS;
+      break;
     default: return FC_ERR_UNSUPPORTED;
   }
+  bytes[1] = (uint8_t)x0, bytes[2] = (uint8_t)x1;
+  bytes[4] = (uint8_t)y0, bytes[5] = (uint8_t)y1;
+  return bus->ops->command(bus->context, bytes, sizeof bytes);
 }
 
 /* ---- the sink ---- */
@@ -173,15 +180,10 @@ static int panel_write(void *context, const fc_area *area, const void *pixels, s
   return write_area(context, area, pixels, pitch_bytes, false, NULL, NULL);
 }
 
+/* Only called on a bus that has data_start: capabilities say so. */
 static int panel_write_start(void *context, const fc_area *area, const void *pixels, size_t pitch_bytes,
                              fc_ready *ready, void *ready_context) {
-  fc_panel_state *state = context;
-  int error;
-  if (state->bus.ops->data_start != NULL)
-    return write_area(state, area, pixels, pitch_bytes, true, ready, ready_context);
-  error = write_area(state, area, pixels, pitch_bytes, false, NULL, NULL);
-  if (error == FC_OK && ready != NULL) ready(ready_context, FC_OK);
-  return error;
+  return write_area(context, area, pixels, pitch_bytes, true, ready, ready_context);
 }
 
 static int panel_backlight(void *context, uint8_t level) {
