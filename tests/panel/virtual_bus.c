@@ -39,9 +39,10 @@ void virtual_bus_run(virtual_bus *bus) {
 
 static int bus_wait(void *context) {
   virtual_bus *bus = context;
+  const unsigned before = bus->readies;
   int error;
   virtual_bus_run(bus);
-  if (bus->under_way != NULL) complete(bus, FC_ERR_BUS); /* stuck: the port gives up */
+  if (bus->under_way != NULL && bus->readies == before) complete(bus, FC_ERR_BUS); /* stuck: the port gives up */
   error = bus->transfer_error;
   bus->transfer_error = FC_OK;
   return error;
