@@ -20,3 +20,22 @@ uint32_t fc_crc32(uint32_t crc, const uint8_t *bytes, size_t count) {
   while (count-- > 0) crc = half(half(crc ^ *bytes++));
   return ~crc;
 }
+
+/* Polynomials modulo the CRC's, x^0 in bit 31. */
+static uint32_t product(uint32_t a, uint32_t b) {
+  uint32_t result = 0;
+  for (; a != 0; a <<= 1) {
+    if ((a & UINT32_C(0x80000000)) != 0) result ^= b;
+    b = (b >> 1) ^ ((b & 1u) != 0 ? UINT32_C(0xedb88320) : 0);
+  }
+  return result;
+}
+
+uint32_t fc_crc32_join(uint32_t crc, uint32_t crc_of_others, uint32_t count) {
+  uint32_t power = UINT32_C(1) << 23; /* x^8: what a byte more does to those before it; then its squares */
+  for (; count != 0; count >>= 1) {
+    if ((count & 1u) != 0) crc = product(power, crc);
+    power = product(power, power);
+  }
+  return crc ^ crc_of_others;
+}

@@ -5,6 +5,7 @@
 #include "fixcast/fixcast.h"
 #include "orbit.h"
 #include "pattern.h"
+#include "queue.h"
 #include "s1.h"
 #include "text.h"
 
@@ -36,11 +37,12 @@ typedef struct run {
   uint16_t send_rows;      /* rows sent at a time: strip_rows, or a page of FC_DISPLAY_MONO8 */
   size_t send_pitch;
   uint8_t *pixels;         /* where strips are drawn; NULL: in the buffer that is sent */
-  uint8_t *send[2];
+  uint8_t *send[FC_QUEUE_STRIPS];
   uint16_t *depth;
   void *frame_memory;
   size_t frame_bytes;
-  uint8_t turn;            /* which of `send` is free */
+  uint8_t buffers, turn;   /* how many of `send` there are, which one is free */
+  fc_queue queue;          /* of more than two */
   fc_frame frame;
   fc_controls controls;
   tally tally;
@@ -60,10 +62,12 @@ static void say_format(const run *self) {
   fc_text_rom(&self->out, names[self->capabilities.format & 3]);
 }
 
-static uint32_t bytes_of_frame(const run *self) {
-  const uint16_t rows = self->capabilities.format == FC_DISPLAY_MONO8 ? self->place.height / 8 : self->place.height;
-  return (uint32_t)self->send_pitch * rows;
+/* Of the picture's rows, from a multiple of 8 where the format has pages. */
+static uint32_t bytes_of_rows(const run *self, uint16_t rows) {
+  return (uint32_t)self->send_pitch * (self->capabilities.format == FC_DISPLAY_MONO8 ? rows / 8u : rows);
 }
+
+static uint32_t bytes_of_frame(const run *self) { return bytes_of_rows(self, self->place.height); }
 
 static uint32_t wire_hz(const run *self) {
   const fc_bus *bus = &self->board->bus;
@@ -172,8 +176,11 @@ static int share_memory(run *self) {
   uint8_t *free = board->memory;
   size_t left = board->memory_bytes, sent;
   uint16_t lines;
+  uint8_t i;
+  bool all = true;
   int error;
-  if (board->strip_rows == 0) return FC_ERR_SIZE;
+  self->buffers = board->buffers != 0 ? board->buffers : 2;
+  if (board->strip_rows == 0 || self->buffers < 2 || self->buffers > FC_QUEUE_STRIPS) return FC_ERR_SIZE;
   self->send_rows = board->strip_rows;
   if (format == FC_DISPLAY_MONO8 && board->strip_rows < 8) self->send_rows = 8;
   if (format == FC_DISPLAY_MONO8 && self->send_rows % (board->strip_rows < 8 ? board->strip_rows : 8) != 0) return FC_ERR_AREA;
@@ -191,11 +198,11 @@ static int share_memory(run *self) {
   } else {
     sent = drawn;
   }
-  self->send[0] = take(&free, &left, sent);
-  self->send[1] = take(&free, &left, sent);
-  return self->frame_memory == NULL || self->depth == NULL || self->send[0] == NULL || self->send[1] == NULL
-             ? FC_ERR_MEMORY
-             : FC_OK;
+  for (i = 0; i < self->buffers; i++) {
+    self->send[i] = take(&free, &left, sent);
+    if (self->send[i] == NULL) all = false;
+  }
+  return self->frame_memory == NULL || self->depth == NULL || !all ? FC_ERR_MEMORY : FC_OK;
 }
 
 /* ---- drawing ---- */
@@ -240,12 +247,30 @@ static int convert(const run *self, const fc_area *area, uint16_t y, uint16_t ro
   return error;
 }
 
-/* Draws and sends a picture of the usual size at `place`; the last strip may still be on its way. */
+/* Sends a strip, or adds it to those that wait; returns when the next buffer is free. */
+static int send_strip(run *self, const fc_area *area) {
+  uint8_t *pixels = self->send[self->turn];
+  self->turn = (uint8_t)((self->turn + 1u) % self->buffers);
+  if (self->buffers == 2) return fc_display_write_start(&self->display, area, pixels, self->send_pitch, NULL, NULL);
+  fc_queue_add(&self->queue, area, pixels, self->send_pitch);
+  return fc_queue_wait(&self->queue, (uint8_t)(self->buffers - 1u));
+}
+
+/* Until all is on the panel. */
+static int settle(run *self) {
+  const int error = self->buffers == 2 ? FC_OK : fc_queue_wait(&self->queue, 0);
+  return error < 0 ? error : fc_display_wait(&self->display);
+}
+
+/* Draws and sends a picture of the usual size at `place`; its last strips may still be on their way. */
 static int draw(run *self, const fc_area *place, fill *draw_rows) {
-  uint16_t y, part;
-  self->crc = 0;
-  for (y = 0; y < place->height; y = (uint16_t)(y + self->send_rows)) {
-    const uint16_t left = (uint16_t)(place->height - y);
+  const uint16_t strips = (uint16_t)((place->height + self->send_rows - 1u) / self->send_rows), upper = (uint16_t)(strips - strips / 2);
+  uint32_t crc[2] = {0, 0}; /* of the rows from the top, and of those from strip `upper` on where the halves alternate */
+  uint16_t i, part;
+  for (i = 0; i < strips; i++) {
+    const uint8_t lower = self->board->alternate ? i % 2 : 0;
+    const uint16_t strip = self->board->alternate ? (uint16_t)(i / 2 + (lower ? upper : 0)) : i;
+    const uint16_t y = (uint16_t)(strip * self->send_rows), left = (uint16_t)(place->height - y);
     const fc_area area = {place->x, (uint16_t)(place->y + y), place->width, left < self->send_rows ? left : self->send_rows};
     uint8_t *send = self->send[self->turn], *pixels = self->pixels != NULL ? self->pixels : send;
     const uint32_t began = clock_render(self);
@@ -259,14 +284,13 @@ static int draw(run *self, const fc_area *place, fill *draw_rows) {
       if (error < 0) return error;
     }
     self->tally.render += clock_render(self) - began;
-    if (WITH_CRC) {
-      const uint16_t lines = self->capabilities.format == FC_DISPLAY_MONO8 ? area.height / 8 : area.height;
-      self->crc = fc_crc32(self->crc, send, self->send_pitch * lines);
-    }
-    /* Waits for the strip before, whose buffer is the next one's. */
-    error = fc_display_write_start(&self->display, &area, send, self->send_pitch, NULL, NULL);
+    if (WITH_CRC) crc[lower] = fc_crc32(crc[lower], send, bytes_of_rows(self, area.height));
+    error = send_strip(self, &area);
     if (error < 0) return error;
-    self->turn ^= 1u;
+  }
+  self->crc = crc[0];
+  if (WITH_CRC && self->board->alternate && strips > 1) {
+    self->crc = fc_crc32_join(crc[0], crc[1], bytes_of_rows(self, (uint16_t)(place->height - upper * (uint32_t)self->send_rows)));
   }
   return FC_OK;
 }
@@ -291,7 +315,7 @@ static int clear(run *self) {
 
 static int show_pattern(run *self) {
   int error = draw(self, &self->place, fill_pattern);
-  if (error >= 0) error = fc_display_wait(&self->display);
+  if (error >= 0) error = settle(self);
   if (error < 0) return error;
   fc_text_rom(&self->out, FC_TEXT("pattern shown"));
   say_crc(self);
@@ -326,7 +350,7 @@ static int prepare(run *self) {
 /* Waits until the frame that was drawn is on the panel, and says so. */
 static int finish(run *self) {
   uint32_t now_us;
-  const int error = fc_display_wait(&self->display);
+  const int error = settle(self);
   if (error < 0) return error;
   if (WITH_CRC) {
     fc_text_rom(&self->out, FC_TEXT("frame "));
@@ -380,6 +404,7 @@ static int start(run *self) {
   error = fc_panel_start(&self->panel, board->panel, &board->bus, &board->options, &self->display);
   if (error < 0) return error;
   fc_display_capabilities_get(&self->display, &self->capabilities);
+  fc_queue_start(&self->queue, &self->display);
   error = find_place(self);
   if (error >= 0) error = share_memory(self);
   if (error < 0) return error;

@@ -48,6 +48,10 @@ typedef struct fc_firmware_board {
   uint32_t cpu_hz;        /* at least 1 MHz */
   uint16_t width, height; /* of the picture, which is centred; 0: the panel's */
   uint16_t strip_rows;    /* rows drawn at a time, at least 1; FC_DISPLAY_MONO8: 1, 2, 4 or a multiple of 8 */
+  uint8_t buffers;        /* strips of pixels: 0 or 2; 3 or 4 where the bus is as queue.h says: then the next strip follows from the interrupt, and what is
+                           * drawn slowly is made up for by what was drawn fast */
+  uint8_t alternate;      /* 1: strips of the upper and of the lower half in turn, so that slow ones (ground) and fast ones (sky) are neighbours; a window
+                           * command a strip. 0: from the top to the bottom */
   uint16_t frames;        /* how many to show, then return; 0: no end */
   uint16_t pattern_ms;    /* how long the bring-up pattern is shown first, at most 60000 */
   void *memory;           /* aligned for int64_t */
@@ -57,6 +61,8 @@ typedef struct fc_firmware_board {
 /* Enough bytes of memory: the frame's own, two strips to send, one of depth codes and, where a strip to send is smaller than what is drawn, one of
  * that. The second is for panels of FC_DISPLAY_GREY4. */
 #define FC_FIRMWARE_MEMORY(width, strip_rows) (256u + 6u * (size_t)(width) * (strip_rows))
+/* What each further strip of pixels adds to that. */
+#define FC_FIRMWARE_MEMORY_BUFFER(width, strip_rows) (8u + 2u * (size_t)(width) * (strip_rows))
 #define FC_FIRMWARE_MEMORY_GREY4(width, strip_rows) (256u + 5u * (size_t)(width) * (strip_rows))
 
 /* Starts the panel and shows frames. FC_OK after the last one, or the error that it has also printed: any of fc_error or the bus's own. */

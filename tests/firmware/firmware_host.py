@@ -64,6 +64,13 @@ def check_colour(report, simulator, program):
     whole.well(report, "240x240")
     for step in (0, 7):
         report.equal(f"frame {step} of 240x240", expected.crc_565(simulator, step, 240, 240), whole.crcs[step])
+    # Three buffers, halves in turn: strips that do not divide the height, one strip, two.
+    for panel, rows in (("st7789-240", 7), ("st7789-240", 240), ("st7789-240", 121), ("ssd1306", 4), ("ssd1306", 24)):
+        what = f"{panel} in strips of {rows} rows, queued"
+        queued, plain = Run(program, panel, 8, rows, "queue"), Run(program, panel, 8, rows)
+        queued.well(report, what)
+        report.equal(f"{what}: CRCs", plain.lines, queued.lines)
+        report.check(queued.glass == plain.glass and len(plain.glass) == 9, f"{what}: the glass shows something else")
     return pictures
 
 

@@ -1,8 +1,7 @@
-/* See core1.h. FIFOs between the cores: RP2040 data sheet 2.3.1.4. How the ROM starts core 1: 2.8.2. */
+/* See core1.h. FIFOs between the cores: RP2040 data sheet 2.3.1.4. Resets: 2.13. */
 #include "core1.h"
 
-#include <stddef.h>
-
+#include "launch.h"
 #include "rp2040.h"
 
 enum { STACK_WORDS = 1024 };
@@ -24,24 +23,17 @@ uint32_t fcp_core_take(void) {
   return word;
 }
 
-static void drop_words(void) {
+void fcp_core_drop(void) {
   while ((RP_REG(SIO_FIFO_ST) & SIO_FIFO_ST_VLD) != 0) (void)RP_REG(SIO_FIFO_RD);
+  __asm__ volatile("sev");
 }
 
-void fcp_core1_launch(void (*entry)(void)) {
-  const uint32_t words[6] = {0, 0, 1, RP_REG(SCB_VTOR), (uint32_t)(uintptr_t)(stack + STACK_WORDS), (uint32_t)(uintptr_t)entry};
-  size_t i = 0;
-  /* The ROM's loop, also when core 1 runs something since a reset of core 0 alone. */
+void fcp_core1_reset(void) {
   RP_SET(PSM_FRCE_OFF) = PSM_PROC1;
   while ((RP_REG(PSM_FRCE_OFF) & PSM_PROC1) == 0) continue;
   RP_CLEAR(PSM_FRCE_OFF) = PSM_PROC1;
-  /* Each word comes back; after one that does not, from the start. Before a 0 the ROM empties its FIFO, so we empty ours, and wake it. */
-  while (i < 6) {
-    if (words[i] == 0) {
-      drop_words();
-      __asm__ volatile("sev");
-    }
-    fcp_core_give(words[i]);
-    i = fcp_core_take() == words[i] ? i + 1 : 0;
-  }
+}
+
+void fcp_core1_start(fcp_core1_program *program) {
+  fcp_launch(RP_REG(SCB_VTOR), (uint32_t)(uintptr_t)(stack + STACK_WORDS), (uint32_t)(uintptr_t)program);
 }

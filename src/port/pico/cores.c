@@ -21,7 +21,10 @@ void fcp_cores_serve(void) {
   }
 }
 
-void fcp_cores_start(void) { fcp_core1_launch(fcp_cores_serve); }
+void fcp_cores_start(void) {
+  fcp_core1_reset();
+  fcp_core1_start(fcp_cores_serve);
+}
 
 int fcp_cores_render(void *context, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
   const uint16_t upper = (uint16_t)(rows - rows / 2);

@@ -17,10 +17,10 @@
 #include "time.h"
 
 #ifdef PICO_ST7789_135
-enum { WIDTH = 135, STRIP_ROWS = 16 };
+enum { WIDTH = 135, STRIP_ROWS = 16, BUFFERS = 3 };
 #define PANEL fc_panel_st7789_135
 #else
-enum { WIDTH = 240, STRIP_ROWS = 8 };
+enum { WIDTH = 240, STRIP_ROWS = 8, BUFFERS = 3 };
 #define PANEL fc_panel_st7789_240
 #endif
 
@@ -28,7 +28,8 @@ enum { WIDTH = 240, STRIP_ROWS = 8 };
 #define PICO_PIXEL_HZ 0
 #endif
 
-static int64_t memory[(FC_FIRMWARE_MEMORY(WIDTH, STRIP_ROWS) + 7) / 8];
+enum { MEMORY_BYTES = FC_FIRMWARE_MEMORY(WIDTH, STRIP_ROWS) + (BUFFERS - 2) * FC_FIRMWARE_MEMORY_BUFFER(WIDTH, STRIP_ROWS) };
+static int64_t memory[(MEMORY_BYTES + 7) / 8];
 
 static uint8_t buttons(void *context) {
   const unsigned held = fcp_buttons();
@@ -47,6 +48,8 @@ int main(void) {
                              .ram_bytes = fcp_ram_bytes,
                              .cpu_hz = FCP_SYSTEM_HZ,
                              .strip_rows = STRIP_ROWS,
+                             .buffers = BUFFERS,
+                             .alternate = 1,
                              .pattern_ms = 1000,
                              .memory = memory,
                              .memory_bytes = sizeof memory};

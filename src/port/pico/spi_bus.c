@@ -16,7 +16,9 @@ enum {
 static struct {
   uint32_t mode;              /* SPO and SPH bits of CR0 */
   uint32_t prescale, rate;    /* CPSDVSR, 1 + SCR */
+  uint32_t word_bits;         /* what the PL022 is set to; 0: not as the three above say */
   volatile bool busy;         /* set by data_start, cleared by the interrupt */
+  volatile uint32_t ended;    /* transfers by DMA so far */
   volatile int error;         /* of the last transfer by DMA */
   uint64_t deadline_us;
   fc_ready *ready;
@@ -35,6 +37,8 @@ static void drain(void) {
 
 /* Words of `bits` bits. The PL022 takes no change of CR0 while it is enabled. */
 static void set_word(uint32_t bits) {
+  if (bits == bus.word_bits) return;
+  bus.word_bits = bits;
   RP_REG(SPI0_CR1) = 0;
   RP_REG(SPI0_CPSR) = bus.prescale;
   RP_REG(SPI0_CR0) = (bus.rate - 1) << SPI_CR0_SCR_SHIFT | bus.mode | (bits - 1);
@@ -55,6 +59,7 @@ static void finish(int error) {
   drop_received();
   bus.error = error;
   bus.busy = false;
+  bus.ended++;
   if (ready != NULL) ready(bus.ready_context, error);
 }
 
@@ -64,9 +69,11 @@ static void stop_dma(void) {
   RP_REG(DMA_INTS0) = 1u << CHANNEL;
 }
 
+/* Until the transfer that is under way has ended; `ready` may have started another by then. */
 static int wait(void *context) {
+  const uint32_t before = bus.ended;
   (void)context;
-  while (bus.busy) {
+  while (bus.busy && bus.ended == before) {
     if (fcp_time_us() < bus.deadline_us) continue;
     RP_CLEAR(DMA_INTE0) = 1u << CHANNEL; /* first: stopping may raise the interrupt (erratum RP2040-E13) */
     if (bus.busy) {
@@ -78,9 +85,19 @@ static int wait(void *context) {
   return bus.error;
 }
 
+/* Until no transfer is under way: the error of the last one, which is told once. */
+static int idle(void) {
+  int error;
+  while (bus.busy) (void)wait(NULL);
+  error = bus.error;
+  bus.error = FC_OK;
+  return error;
+}
+
 static int configure(void *context, uint32_t hz, uint8_t spi_mode) {
   uint32_t divider, prescale, best = DIVIDER_MAX + 1, best_prescale = 0;
-  (void)wait(context);
+  (void)context;
+  (void)idle();
   if (hz == 0 || (spi_mode != 0 && spi_mode != 3)) return FC_ERR_UNSUPPORTED;
   divider = ((uint32_t)FCP_SYSTEM_HZ - 1) / hz + 1; /* the smallest that is slow enough */
   for (prescale = 2; prescale <= 254; prescale += 2) {
@@ -93,18 +110,17 @@ static int configure(void *context, uint32_t hz, uint8_t spi_mode) {
   if (best_prescale == 0) return FC_ERR_UNSUPPORTED;
   bus.prescale = best_prescale;
   bus.rate = best / best_prescale;
+  bus.word_bits = 0;
   bus.mode = spi_mode == 3 ? SPI_CR0_SPO | SPI_CR0_SPH : 0;
   set_word(8); /* the clock's idle level is right before CS falls */
   return FC_OK;
 }
 
 static int send(void *context, const uint8_t *bytes, size_t count, bool data) {
+  const int error = idle();
   size_t i;
-  const int error = wait(context);
-  if (error != FC_OK) {
-    bus.error = FC_OK;
-    return error;
-  }
+  (void)context;
+  if (error != FC_OK) return error;
   set_word(8);
   fcp_pin_set(FCP_PIN_DC, data);
   fcp_pin_set(FCP_PIN_CS, false);
@@ -124,11 +140,9 @@ static int data(void *context, const uint8_t *bytes, size_t count) { return send
 
 static int data_start(void *context, const uint8_t *bytes, size_t count, fc_ready *ready, void *ready_context) {
   const uint32_t halfwords = ((uintptr_t)bytes | count) % 2 == 0;
-  const int error = wait(context);
-  if (error != FC_OK) {
-    bus.error = FC_OK;
-    return error;
-  }
+  const int error = idle();
+  (void)context;
+  if (error != FC_OK) return error;
   bus.ready = ready;
   bus.ready_context = ready_context;
   /* At most 12 clocks a byte (8 and a pause), rounded up. */
@@ -156,7 +170,8 @@ void fcp_dma_interrupt(void) {
 }
 
 static int reset(void *context, bool active) {
-  (void)wait(context);
+  (void)context;
+  (void)idle();
   fcp_pin_set(FCP_PIN_RESET, !active);
   return FC_OK;
 }

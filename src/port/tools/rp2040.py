@@ -43,19 +43,20 @@ def modules():
     return place
 
 
-def stop_of(prefix, elf, function="fc_firmware_frame_shown"):
+def stop_of(prefix, elf, function):
     marker = re.search(rf"^([0-9a-f]+) T {function}$", execute([f"{prefix}nm", elf], f"reading {elf}"), re.M)
     if marker is None:
-        raise Failure(f"{elf} has no function {function}: build it with src/firmware")
+        raise Failure(f"{elf} has no function {function}, at which the emulator should look at the panel: build it anew")
     return f"{int(marker.group(1), 16) & ~1:x}"
 
 
-def watch(elf, panel, frames, prefix="arm-none-eabi-", buttons=(), image=None):
-    """Runs a program from its UF2 file, or from `image`,: what was Seen. `buttons`: words AFTER:BUTTONS of run.mjs."""
-    image = image or uf2.file_of(elf)
+def watch(elf, panel, frames, prefix="arm-none-eabi-", words=(), function="fc_firmware_frame_shown"):
+    """Runs a program from its UF2 file: what was Seen each time it reached `function`, first and then for `frames` frames.
+    `words`: further ones of run.mjs."""
+    image = uf2.file_of(elf)
     with tempfile.TemporaryDirectory(prefix="fixcast-") as place:
         out = pathlib.Path(place) / "seen"
-        execute(["node", HERE / "run.mjs", modules(), image, panel, stop_of(prefix, elf), frames, out, *buttons],
+        execute(["node", HERE / "run.mjs", modules(), image, panel, stop_of(prefix, elf, function), frames, out, *words],
                 f"emulating {image}")
         figures = json.loads(pathlib.Path(f"{out}.json").read_text())
         text = pathlib.Path(f"{out}.log").read_text(errors="replace").replace("\r", "")

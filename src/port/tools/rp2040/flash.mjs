@@ -80,7 +80,7 @@ export class FlashInterface {
     if (this.field(CTRLR0, 8, 2) !== 0) this.problem(`${name} while SSI does not both send and receive`);
     if (this.continuous) this.problem(`${name} while the flash expects an address`);
     if (this.busy_polls > 0 && code !== 0x05) this.problem(`${name} while the flash is busy writing its status`);
-    const lengths = { 0x05: 1, 0x06: 0, 0x31: 1, 0x35: 1 };
+    const lengths = { 0x01: 2, 0x05: 1, 0x06: 0, 0x31: 1, 0x35: 1 };
     if (!(code in lengths)) this.problem(`${name} is not one that this model knows`);
     else if (data.length !== lengths[code]) this.problem(`${name} with ${data.length} bytes of data`);
     switch (code) {
@@ -89,12 +89,13 @@ export class FlashInterface {
       case 0x06:
         this.write_enabled = true;
         return [0xff];
+      case 0x01:
       case 0x31:
         if (!this.write_enabled) this.problem('flash status is written without a write enable before');
         this.write_enabled = false;
-        this.status2 = data[0];
+        this.status2 = data.at(-1);
         this.busy_polls = 3;
-        return [0xff, 0xff];
+        return sent.map(() => 0xff);
       default: return sent.map(() => 0xff);
     }
   }

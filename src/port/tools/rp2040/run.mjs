@@ -1,11 +1,11 @@
 /*
  * Runs a board's firmware in an emulated Raspberry Pi Pico with a strict ST7789, and says what was seen.
  *
- * node run.mjs MODULES IMAGE.uf2 PANEL STOP FRAMES OUT [AFTER:BUTTONS ...]
+ * node run.mjs MODULES IMAGE.uf2 PANEL STOP FRAMES OUT [rom=FILE] [AFTER:BUTTONS ...]
  * MODULES: the directory in which npm installed rp2040js. PANEL: a name of GLASSES in st7789.mjs. STOP: the address (hexadecimal) that the
  * program reaches each time that a picture is on the glass: first a test pattern, then FRAMES frames. OUT: files OUT.glass (the glass at
  * each stop, 3 bytes a pixel, red first), OUT.log (the serial line), OUT.json (figures and what was wrong).
- * AFTER:BUTTONS: after that many stops the buttons are held so, bit 0 for the first, bit 1 for the second.
+ * rom=FILE: bytes of a boot ROM, for programs that call it once they run. AFTER:BUTTONS: after that many stops the buttons are held so, bit 0 for the first, bit 1 for the second.
  * Exit code 0: all ran, whatever is in OUT.json; 2: it could not be started.
  */
 import fs from 'node:fs';
@@ -29,12 +29,13 @@ function buttons_of(words) {
 }
 
 function run([modules, uf2, panel, stop, frames, out, ...words]) {
-  if (out === undefined) throw new Error('usage: run.mjs MODULES IMAGE.uf2 PANEL STOP FRAMES OUT [AFTER:BUTTONS ...]');
-  const glass = GLASSES[panel], wanted = Number(frames), address = parseInt(stop, 16), buttons = buttons_of(words);
+  if (out === undefined) throw new Error('usage: run.mjs MODULES IMAGE.uf2 PANEL STOP FRAMES OUT [rom=FILE] [AFTER:BUTTONS ...]');
+  const glass = GLASSES[panel], wanted = Number(frames), address = parseInt(stop, 16);
+  const rom = words[0]?.startsWith('rom=') ? fs.readFileSync(words.shift().slice(4)) : null, buttons = buttons_of(words);
   if (glass === undefined) throw new Error(`no panel ${panel}: say one of ${Object.keys(GLASSES).join(', ')}`);
   if (!(wanted >= 1) || !(address > 0)) throw new Error(`FRAMES is '${frames}' and STOP is '${stop}': say a count and a hexadecimal address`);
   const started = performance.now(), seen = [], stops = [];
-  const board = new Board({ modules, uf2, display: (on) => new St7789({ glass, now: () => on.now, problem: (text) => on.problem(text) }) });
+  const board = new Board({ modules, uf2, rom, display: (on) => new St7789({ glass, now: () => on.now, problem: (text) => on.problem(text) }) });
   board.boot();
   while (stops.length <= wanted && board.run_to(address, STOP_LIMIT_MS)) {
     stops.push({ now: board.now, bits: board.bits_time });
