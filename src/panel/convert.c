@@ -36,13 +36,13 @@ static uint16_t luma(uint16_t pixel) {
  * floor(n v / m) without a division, which small chips do in software: v times k / 2^s, a little more than n / m. It is exact as long as the excess,
  * v (k / 2^s - n / m), stays below the least distance of an n v / m to the integer above: 1 / m, cancelled down.
  *   15 v / 31: k = 124, s = 8, excess at most 0.0157 < 1 / 31.   15 v / 63: k = 61, s = 8, 0.0118 < 1 / 21.
- *   15 v / 4224: k = 14895, s = 22, 0.00048 < 1 / 1408.
+ *   w / 11 for w up to 175: k = 187, s = 11, 0.071 < 1 / 11.
  */
-static uint8_t grey4(uint16_t pixel, uint8_t b) {
-  const uint16_t v = luma(pixel);
-  const uint8_t level = (uint8_t)((v * UINT32_C(14895)) >> 22);
-  const uint16_t rest = (uint16_t)(15u * v - level * (uint16_t)LUMA_MAX); /* of at most 63360 */
-  return (uint8_t)(level + (rest >= LUMA_MAX / 128u * missing(b)));
+
+/* floor(15 v / 4224 + (2 B + 1) / 128) is floor((5 v + 22 B + 11) / 1408), and 1408 is 128 * 11. The numerator is below 2^15; `add` is 22 B + 11. */
+static uint8_t grey4(uint16_t pixel, uint16_t add) {
+  const uint16_t sum = (uint16_t)(205u * (pixel >> 11) + 195u * ((pixel >> 5) & 63u) + 80u * (pixel & 31u) + add);
+  return (uint8_t)((uint16_t)((sum >> 7) * 187u) >> 11);
 }
 
 static bool white(uint16_t pixel, uint8_t b) { return luma(pixel) >= LUMA_MAX / 128u * missing(b); }
@@ -74,14 +74,13 @@ static uint16_t pixel_at(const uint8_t *from, uint16_t i) {
 }
 
 static void grey4_row(const uint8_t *from, uint8_t *to, uint16_t width, const uint8_t *b) {
-  uint16_t i;
-  for (i = 0; i < width; i++) {
-    const uint8_t level = grey4(pixel_at(from, i), b[i & 7u]);
-    if (i & 1u)
-      to[i / 2u] = (uint8_t)(to[i / 2u] | level);
-    else
-      to[i / 2u] = (uint8_t)(level << 4);
+  uint16_t add[8], i;
+  for (i = 0; i < 8; i++) add[i] = (uint16_t)(22u * b[i] + 11u);
+  for (i = 0; i + 1u < width; i = (uint16_t)(i + 2u)) {
+    const uint8_t left = grey4(pixel_at(from, i), add[i & 6u]), right = grey4(pixel_at(from, (uint16_t)(i + 1u)), add[(i & 6u) + 1u]);
+    *to++ = (uint8_t)((left << 4) | right);
   }
+  if (i < width) *to = (uint8_t)(grey4(pixel_at(from, i), add[i & 6u]) << 4);
 }
 
 static void rgb444_row(const uint8_t *from, uint8_t *to, uint16_t width, const uint8_t *b) {

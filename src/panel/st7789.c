@@ -23,9 +23,10 @@ static const uint8_t twelve_bits[] FC_ROM = {0x3A, 1, 0x53, FC_PANEL_END}; /* CO
 static const uint8_t upright[] FC_ROM = {0x36, 1, 0x00, FC_PANEL_END};
 static const uint8_t turned[] FC_ROM = {0x36, 1, 0xC0, FC_PANEL_END};
 
-/* All that these panels share: reset is held for 10 us [7.4.5], after it 5 ms until the first command. */
+/* All that these panels share: reset is held for 10 us [7.4.5], after it 5 ms until the first command. Bits are taken as the clock rises, however it idles
+ * [7.4.3]; of the modes 0 and 3, some SPI controllers (PL022) pause between words in the first. */
 #define ST7789 \
-  .init = init, .off = off, .window = FC_WINDOW_MIPI, .format = FC_DISPLAY_RGB565, .spi_mode = 0, .init_hz = 10000000, .pixel_hz = 62500000, \
+  .init = init, .off = off, .window = FC_WINDOW_MIPI, .format = FC_DISPLAY_RGB565, .spi_mode = 3, .init_hz = 10000000, .pixel_hz = 62500000, \
   .reset_low_us = 10, .reset_wait_us = 5000
 
 static const char name_240[] FC_ROM = "st7789-240", name_135[] FC_ROM = "st7789-135", name_320[] FC_ROM = "st7789-320",

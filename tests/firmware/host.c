@@ -1,9 +1,10 @@
 /*
  * The firmware of all boards on a board of software: a virtual panel on a virtual bus (tests/panel), a clock that moves when it is looked at.
  *
- * firmware_host PANEL FRAMES ROWS sync|async|async12 GLASS [WIDTH HEIGHT [BUTTONS]]
+ * firmware_host PANEL FRAMES ROWS sync|async|async12|queue GLASS [WIDTH HEIGHT [BUTTONS]]
  *
- * Prints the firmware's text. GLASS gets what the eye sees after each `pattern` and `frame` line: all the panel's pixels, three bytes each, red first.
+ * Prints the firmware's text. GLASS gets what the eye sees after each `pattern` and `frame` line: all the panel's pixels, three bytes each,
+ * red first.
  * BUTTONS: what each look at the buttons finds, FC_BUTTON_ bits as hexadecimal digits, two a look; then none is held.
  * Exit code: 0; 1 after an error of the firmware, 2 for bad arguments, 3 when the panel complains of what came over the wires.
  */
@@ -104,7 +105,7 @@ int main(int count, char **arguments) {
                              .memory_bytes = sizeof memory};
   int error;
   if (count != 6 && count != 8 && count != 9) {
-    fprintf(stderr, "usage: firmware_host PANEL FRAMES ROWS sync|async|async12 GLASS [WIDTH HEIGHT [BUTTONS]]\n");
+    fprintf(stderr, "usage: firmware_host PANEL FRAMES ROWS sync|async|async12|queue GLASS [WIDTH HEIGHT [BUTTONS]]\n");
     return 2;
   }
   board.panel = find_panel(arguments[1]);
@@ -116,15 +117,22 @@ int main(int count, char **arguments) {
     board.height = number(arguments[7], "HEIGHT");
   }
   if (count == 9) self.buttons = arguments[8];
+  if (strcmp(arguments[4], "queue") == 0) {
+    board.buffers = 3;
+    board.alternate = 1;
+  }
   /* No more than a board would give. */
-  if (board.width != 0 && board.strip_rows != 0) board.memory_bytes = FC_FIRMWARE_MEMORY(board.width, board.strip_rows);
+  if (board.width != 0 && board.strip_rows != 0) {
+    board.memory_bytes = FC_FIRMWARE_MEMORY(board.width, board.strip_rows);
+    if (board.buffers == 3) board.memory_bytes += FC_FIRMWARE_MEMORY_BUFFER(board.width, board.strip_rows);
+  }
   self.glass = fopen(arguments[5], "wb");
   if (self.glass == NULL) {
     fprintf(stderr, "firmware_host: cannot write %s\n", arguments[5]);
     return 2;
   }
   virtual_open(&panel, virtual_model_named(arguments[1]));
-  virtual_bus_open(&bus, &panel, strncmp(arguments[4], "async", 5) == 0);
+  virtual_bus_open(&bus, &panel, strcmp(arguments[4], "sync") != 0);
   board.bus = bus.bus;
   error = fc_firmware_run(&board);
   virtual_finish(&panel);

@@ -86,11 +86,15 @@ static void check_transfers(void) {
     check(ops->data(ssi_bus.context, bytes, 1) == FC_OK, "data after bytes", counts[i]);
     check(one.called == 1, "ready was called for another transfer", counts[i]);
   }
+  __asm__ volatile("cpsid i" ::: "memory");
+  check(ops->data_start(ssi_bus.context, bytes, 100, ready, &none) == FC_OK && none.called == 0, "data_start does not return at once", 0);
+  __asm__ volatile("cpsie i" ::: "memory");
+  check(ops->wait(ssi_bus.context) == FC_OK && none.called == 1, "what was held up did not end", 0);
   check(ops->data_start(ssi_bus.context, bytes, 9, ready, &chained) == FC_OK, "data_start of a chain", 0);
   while (chained.called < 4 && clock_microseconds(0) < 2000000u) {
   }
   check(chained.called == 4 && chained.error == FC_OK, "transfers of a chain", chained.called);
-  check(ops->wait(ssi_bus.context) == FC_OK && none.called == 0, "wait with nothing under way", 0);
+  check(ops->wait(ssi_bus.context) == FC_OK && none.called == 1, "wait with nothing under way", 0);
 }
 
 static void check_time(void) {

@@ -45,8 +45,9 @@ void virtual_bus_run(virtual_bus *bus) {
 
 static int bus_wait(void *context) {
   virtual_bus *bus = context;
+  const unsigned before = bus->readies;
   virtual_bus_run(bus);
-  if (bus->under_way != NULL) complete(bus, FC_ERR_BUS); /* stuck: the port gives up */
+  if (bus->under_way != NULL && bus->readies == before) complete(bus, FC_ERR_BUS); /* stuck: the port gives up */
   return bus->transfer_error; /* as some ports do, until the next start: callers must not ask twice */
 }
 

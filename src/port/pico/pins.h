@@ -6,7 +6,7 @@
  *     14       19           button 1     other end to GND; pulled up, so 0 is pressed
  *     15       20           button 2     likewise
  *     16       21           D/C          display: DC, RS or A0
- *     17       22           CS           display: CS (modules without it: leave open, and build with SPI mode 3)
+ *     17       22           CS           display: CS
  *     18       24           SPI0 SCK     display: SCL, SCK or CLK
  *     19       25           SPI0 TX      display: SDA, MOSI or DIN
  *     20       26           RST          display: RES or RST

@@ -16,6 +16,7 @@ enum {
 static struct {
   uint32_t mode;              /* SPO and SPH bits of CR0 */
   uint32_t prescale, rate;    /* CPSDVSR, 1 + SCR */
+  uint32_t word_bits;         /* what the PL022 is set to; 0: not as the three above say */
   volatile bool busy;         /* set by data_start, cleared by the interrupt */
   volatile uint32_t ended;    /* transfers by DMA so far */
   volatile int error;         /* of the last transfer by DMA */
@@ -36,6 +37,8 @@ static void drain(void) {
 
 /* Words of `bits` bits. The PL022 takes no change of CR0 while it is enabled. */
 static void set_word(uint32_t bits) {
+  if (bits == bus.word_bits) return;
+  bus.word_bits = bits;
   RP_REG(SPI0_CR1) = 0;
   RP_REG(SPI0_CPSR) = bus.prescale;
   RP_REG(SPI0_CR0) = (bus.rate - 1) << SPI_CR0_SCR_SHIFT | bus.mode | (bits - 1);
@@ -107,6 +110,7 @@ static int configure(void *context, uint32_t hz, uint8_t spi_mode) {
   if (best_prescale == 0) return FC_ERR_UNSUPPORTED;
   bus.prescale = best_prescale;
   bus.rate = best / best_prescale;
+  bus.word_bits = 0;
   bus.mode = spi_mode == 3 ? SPI_CR0_SPO | SPI_CR0_SPH : 0;
   set_word(8); /* the clock's idle level is right before CS falls */
   return FC_OK;

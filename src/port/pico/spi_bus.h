@@ -9,8 +9,8 @@
  * fcp_clocks_start() and fcp_pins_start().
  *
  * Clocks are clk_peri / (even number): 62.5 MHz, 31.25, 20.83, 15.625, 12.5 ... and down to 2 kHz.
- * data_start: from a buffer that starts at an even address and is of even length, words of 16 bits go out: there is one pause between
- * words of SPI mode 0, so half as many. `ready` runs in the DMA interrupt, on the core that called this function, once the
+ * data_start: from a buffer that starts at an even address and is of even length, words of 16 bits go out: in SPI mode 0 the clock rests
+ * between words, and so half as often. `ready` runs in the DMA interrupt, on the core that called this function, once the
  * last bit has left, and may start the next transfer; wait() returns when one transfer has ended, whatever `ready` has started.
  * Errors: FC_ERR_UNSUPPORTED (configure), FC_ERR_BUS (DMA met an address that does not exist, or did not finish in time).
  */
