@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <string>
 
 namespace host {
@@ -82,7 +81,7 @@ fc_camera ViewCamera::camera() const {
   for (std::size_t i = 0; i < 3; i++) {
     eye[i] = axis_.pivot[i] + moved_[i] + offset[i];
     target[i] = eye[i] + view[i];
-    largest = std::max({largest, std::llabs(eye[i]), std::llabs(target[i])});
+    for (const std::int64_t c : {eye[i], target[i]}) largest = std::max(largest, c < 0 ? -c : c);
   }
   fc_camera camera = first_;
   int shift = 0;
