@@ -23,7 +23,11 @@ class Screen:
         with os.fdopen(read) as pipe:
             self.name = ":" + pipe.readline().strip()
         self.environment = {**os.environ, "DISPLAY": self.name, "SDL_VIDEODRIVER": "x11"}
-        return self
+        for _ in range(100): # until it answers
+            if subprocess.run(["xdotool", "getdisplaygeometry"], env=self.environment, capture_output=True).returncode == 0:
+                return self
+            time.sleep(0.1)
+        raise AssertionError("Xvfb does not answer")
 
     def __exit__(self, *_):
         self.server.terminate()
