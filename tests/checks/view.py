@@ -59,8 +59,10 @@ class View:
         self.screen.do("mousemove", "--window", self.window, x, y)
 
     def finish(self):
+        """The exit code, and the longest times in ms: from input to picture, and for a picture."""
         self.key("q")
-        return self.process.wait(timeout=20)
+        times = self.next(r"\d+ pictures in .* at most ([\d.]+) ms from input to picture, ([\d.]+) for a picture")
+        return self.process.wait(timeout=20), *map(float, times)
 
 
 def render(simulator, directory, *options):
@@ -237,7 +239,9 @@ def main(simulator, kept=None):
         still = check_start(simulator, view, directory, report)
         check_mouse(simulator, view, directory, report, still)
         check_keys(simulator, view, directory, report, still)
-        report.equal("exit code after q", 0, view.finish())
+        code, wait, picture = view.finish()
+        report.equal("exit code after q", 0, code)
+        report.check(0 < wait <= 2 * picture + 50, f"{wait} ms from input to picture, of which {picture} for a picture; 50 for a busy machine")
         check_panel(simulator, screen, directory, report)
         check_rate(simulator, screen, report)
     check_no_screen(simulator, report)
