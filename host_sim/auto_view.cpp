@@ -70,6 +70,14 @@ Triple middle(const std::vector<Ball> &balls) {
   return centre;
 }
 
+/* What was typed as it may stand in a message: short, and in printable characters only. */
+std::string shown(const std::string &text) {
+  std::string out = text.substr(0, 40);
+  for (char &c : out)
+    if (c < ' ' || c > '~') c = '?';
+  return out + (text.size() > 40 ? "..." : "");
+}
+
 /* Decimal numbers separated by commas, `fewest` or `most` of them. */
 std::vector<Number> numbers(const std::string &option, const std::string &text, std::size_t fewest, std::size_t most) {
   std::vector<Number> list;
@@ -82,11 +90,11 @@ std::vector<Number> numbers(const std::string &option, const std::string &text, 
     const long double value = std::strtold(word.c_str(), &stop);
     const bool decimal = !word.empty() && word.find_first_not_of("0123456789.eE+-") == std::string::npos && word.front() != '+';
     if (!decimal || *stop != '\0' || !(std::fabs(value) <= 1e30L) || (value != 0 && std::fabs(value) < 1e-30L))
-      throw UserError(option + " " + text + ": \"" + word + "\" is not a number; give decimals such as 1.5,0,-3");
+      throw UserError(option + " " + shown(text) + ": \"" + shown(word) + "\" is not a number; give decimals such as 1.5,0,-3");
     list.push_back(value == 0 ? Number{} : Number{word, value});
   }
   if (list.size() != fewest && list.size() != most)
-    throw UserError(option + " " + text + ": " + std::to_string(list.size()) + " numbers; give " + std::to_string(fewest) +
+    throw UserError(option + " " + shown(text) + ": " + std::to_string(list.size()) + " numbers; give " + std::to_string(fewest) +
                     (most != fewest ? " or " + std::to_string(most) : std::string()) + " with commas between them");
   return list;
 }
@@ -167,7 +175,7 @@ void apply(const ViewOptions &options, SceneFile &file) {
   if (!options.look.empty()) {
     const std::vector<Number> look = numbers("--look", options.look, 2, 2);
     if (std::fabs(look[0].value) > 360 || std::fabs(look[1].value) > 90)
-      throw UserError("--look " + options.look + " is out of range; give degrees: azimuth -360 to 360, elevation -90 to 90");
+      throw UserError("--look " + shown(options.look) + " is out of range; give degrees: azimuth -360 to 360, elevation -90 to 90");
     frame_all(file, static_cast<double>(look[0].value), static_cast<double>(look[1].value));
   }
   Camera &camera = file.camera;
@@ -176,7 +184,7 @@ void apply(const ViewOptions &options, SceneFile &file) {
   if (!options.up.empty()) camera.up = point("--up", options.up);
   if (!options.angle.empty()) {
     const Number angle = numbers("--angle", options.angle, 1, 1)[0];
-    if (angle.value <= 0 || angle.value >= 180) throw UserError("--angle " + options.angle + " is out of range; give degrees between 0 and 180");
+    if (angle.value <= 0 || angle.value >= 180) throw UserError("--angle " + shown(options.angle) + " is out of range; give degrees between 0 and 180");
     camera.angle_degrees = angle;
     camera.tan_half_fov.reset();
   }
@@ -185,12 +193,12 @@ void apply(const ViewOptions &options, SceneFile &file) {
     const std::vector<Number> n = numbers("--light", text, 3, 6);
     Light light;
     light.position = {n[0], n[1], n[2]};
-    if (n.size() == 6) light.colour = colour("--light " + text, n, 3, 1e6L);
+    if (n.size() == 6) light.colour = colour("--light " + shown(text), n, 3, 1e6L);
     file.lights.push_back(light);
   }
-  if (!options.ambient.empty()) file.ambient = colour("--ambient " + options.ambient, numbers("--ambient", options.ambient, 1, 3), 0, 1e6L);
+  if (!options.ambient.empty()) file.ambient = colour("--ambient " + shown(options.ambient), numbers("--ambient", options.ambient, 1, 3), 0, 1e6L);
   if (!options.background.empty())
-    file.background = colour("--background " + options.background, numbers("--background", options.background, 1, 3), 0, 1);
+    file.background = colour("--background " + shown(options.background), numbers("--background", options.background, 1, 3), 0, 1);
 }
 
 } // namespace host

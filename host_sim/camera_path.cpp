@@ -74,28 +74,16 @@ IntVector middle(const CoreScene &core, const IntVector &fallback) {
   return {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2};
 }
 
-/* The whole view turns about a vertical line: through that point of the view's axis which is nearest to the middle of the scene, or, when
- * that is behind the eye, through the target. Frame 0 is the scene as it is. */
+/* The whole view turns about a vertical line through the pivot. Frame 0 is the scene as it is. */
 class Turn : public CameraPath {
 public:
   Turn(const SceneFile &file, const CoreScene &core, bool lights_too) : file_(file), lights_too_(lights_too) {
     /* --world-scale stays in the file: coordinates are taken before it. */
     if (file.scale_numerator != 1 || file.scale_denominator != 1)
       throw UserError("--path and --world-scale exclude each other; scale the scene file");
-    /* The camera's grid may be finer than the scene's, on which everything else is, but then also too fine for that. */
-    const int exponent = std::max<int>(core.camera.exponent, 0);
-    grid_ = grid_of(core, exponent);
-    eye_ = regridded(components(core.camera.eye), core.camera.exponent - exponent);
-    target_ = regridded(components(core.camera.target), core.camera.exponent - exponent);
     axis_ = unit_q30(components(core.camera.up));
-    const IntVector centre = regridded(middle(core, target_), -exponent);
-    const IntVector view = unit_q30(halved(difference(target_, eye_)));
-    const IntVector to_centre = difference(centre, eye_);
-    std::int64_t along = 0; /* three products of 2^31 and 2^30, rounded down before they are added */
-    for (std::size_t i = 0; i < 3; i++) along += (to_centre[i] * view[i]) >> 30;
-    pivot_ = target_;
-    if (along > 0)
-      for (std::size_t i = 0; i < 3; i++) pivot_[i] = eye_[i] + (along / 2 * view[i] >> 29);
+    view_ = view_axis(core);
+    grid_ = grid_of(core, view_.exponent);
     for (const fc_light &light : core.lights) lights_.push_back({components(light.position), grid_of(core, light.exponent)});
   }
 
@@ -103,13 +91,13 @@ public:
     SceneFile file = file_;
     if (frame == 0) return file;
     const SineCosine angle = sine_cosine(frame, frames);
-    file.camera.from = about(pivot_, eye_, angle, grid_);
-    file.camera.at = about(pivot_, target_, angle, grid_);
+    file.camera.from = about(view_.pivot, view_.eye, angle, grid_);
+    file.camera.at = about(view_.pivot, view_.target, angle, grid_);
     if (!lights_too_) return file;
     for (std::size_t i = 0; i < lights_.size(); i++) {
       /* On the coarser of the two grids. */
       const int grid = std::max(grid_, lights_[i].grid);
-      file.lights[i].position = about(regridded(pivot_, grid_ - grid), regridded(lights_[i].position, lights_[i].grid - grid), angle, grid);
+      file.lights[i].position = about(regridded(view_.pivot, grid_ - grid), regridded(lights_[i].position, lights_[i].grid - grid), angle, grid);
     }
     return file;
   }
@@ -127,7 +115,8 @@ private:
   SceneFile file_;
   int grid_ = 0;
   bool lights_too_;
-  IntVector eye_{}, target_{}, axis_{}, pivot_{};
+  ViewAxis view_;
+  IntVector axis_{};
   std::vector<GridPoint> lights_;
 };
 
@@ -165,6 +154,22 @@ Number grid_number(std::int64_t value, int exponent) {
 
 Vector grid_vector(const IntVector &value, int exponent) {
   return {grid_number(value[0], exponent), grid_number(value[1], exponent), grid_number(value[2], exponent)};
+}
+
+ViewAxis view_axis(const CoreScene &core) {
+  ViewAxis axis;
+  /* The camera's grid may be finer than the scene's, on which everything else is, but then also too fine for that. */
+  axis.exponent = std::max<int>(core.camera.exponent, 0);
+  axis.eye = regridded(components(core.camera.eye), core.camera.exponent - axis.exponent);
+  axis.target = regridded(components(core.camera.target), core.camera.exponent - axis.exponent);
+  const IntVector view = unit_q30(halved(difference(axis.target, axis.eye)));
+  const IntVector to_centre = difference(regridded(middle(core, axis.target), -axis.exponent), axis.eye);
+  std::int64_t along = 0; /* three products of 2^31 and 2^30, rounded down before they are added */
+  for (std::size_t i = 0; i < 3; i++) along += (to_centre[i] * view[i]) >> 30;
+  axis.pivot = axis.target;
+  if (along > 0)
+    for (std::size_t i = 0; i < 3; i++) axis.pivot[i] = axis.eye[i] + (along / 2 * view[i] >> 29);
+  return axis;
 }
 
 std::unique_ptr<CameraPath> make_camera_path(const std::string &name, const SceneFile &file, const CoreScene &core) {

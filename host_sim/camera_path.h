@@ -22,6 +22,14 @@ namespace host {
 Number grid_number(std::int64_t value, int exponent);
 Vector grid_vector(const IntVector &value, int exponent);
 
+/* Where a view turns: eye, target and pivot on a grid of 2^exponent world coordinates, 0 or coarser. The pivot is that point of the view's axis
+ * which is nearest to the middle of everything finite, or, when that is behind the eye, the target. */
+struct ViewAxis {
+  int exponent = 0;
+  IntVector eye{}, target{}, pivot{};
+};
+ViewAxis view_axis(const CoreScene &core);
+
 class CameraPath {
 public:
   virtual ~CameraPath() = default;

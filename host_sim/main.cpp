@@ -37,6 +37,7 @@ int run(int argc, char **argv) {
   host::add_diff_command(app, action);
   host::add_pick_command(app, action);
   host::add_bake_command(app, action);
+  host::add_view_command(app, action);
   host::add_stats_command(app, action);
   host::add_depths_command(app, action);
   host::add_report_command(app, action);
