@@ -60,7 +60,7 @@ int run_render(const RenderOptions &options) {
 
   const LoadedScene scene = load_scene(options);
   Sampling sampling;
-  set_sampling(sampling, options.sampling, scene.core.camera);
+  set_sampling(sampling, options.sampling, scene.core);
   if (sampling.wanted && scene.options.profile != FC_PROFILE_EXACT)
     throw UserError("--profile " + options.profile + ": --samples, --filter and --lens trace exact rays; leave --profile out");
   const CoreFrame frame(scene.file, scene.core, scene.options, scene.width, scene.height);

@@ -1,6 +1,10 @@
 /* The words for patterns, filters and lenses. */
 #include "sampling.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "scene_file.h"
@@ -70,14 +74,34 @@ void set_pattern(fc_sampling &how, const std::string &text) {
   }
 }
 
-void set_lens(Sampling &sampling, const std::string &text, const fc_camera &camera) {
+/* A size in world units as the core's span; nothing when it is not one. */
+std::optional<fc_orthographic> span_of(const std::string &text, const fc_scene &scene) {
+  double size = 0;
+  const char *end = text.data() + text.size();
+  const auto [rest, problem] = std::from_chars(text.data(), end, size, std::chars_format::fixed);
+  if (problem != std::errc() || rest != end || !(size > 0)) return std::nullopt;
+  int exponent = 0;
+  const long double fraction = std::frexp(size / world_unit(scene), &exponent);
+  exponent -= 29;
+  if (exponent < -31 || exponent > 32) return std::nullopt;
+  fc_orthographic lens{};
+  lens.span = static_cast<std::int32_t>(std::lround(std::ldexp(fraction, 29)));
+  lens.span_exponent = static_cast<std::int8_t>(exponent);
+  return lens;
+}
+
+void set_lens(Sampling &sampling, const std::string &text, const CoreScene &core) {
   const Choice choice = split(text);
   fc_lens &lens = sampling.how.lens;
+  const std::string stated = text.substr(std::min(text.size(), choice.name.size() + 1));
   if (choice.name == "pinhole" && choice.none()) {
     lens = {&fc_lens_pinhole, nullptr};
   } else if (choice.name == "orthographic" && choice.none()) {
-    const int error = fc_orthographic_of_camera(&sampling.orthographic, &camera);
+    const int error = fc_orthographic_of_camera(&sampling.orthographic, &core.camera);
     if (error < 0) throw UserError(std::string("--lens orthographic: ") + fc_error_text(error));
+    lens = {&fc_lens_orthographic, &sampling.orthographic};
+  } else if (const auto span = span_of(stated, core.scene); choice.name == "orthographic" && span) {
+    sampling.orthographic = *span;
     lens = {&fc_lens_orthographic, &sampling.orthographic};
   } else if (choice.name == "fisheye" && (choice.none() || (choice.number() >= 1 && choice.number() <= 360))) {
     const std::uint32_t degrees = choice.none() ? 180u : static_cast<std::uint32_t>(choice.number());
@@ -86,7 +110,8 @@ void set_lens(Sampling &sampling, const std::string &text, const fc_camera &came
   } else if (choice.name == "panorama" && choice.none()) {
     lens = {&fc_lens_panorama, nullptr};
   } else {
-    throw UserError("--lens " + text + " is not a lens; give pinhole, orthographic, fisheye[:DEGREES] (1 to 360) or panorama");
+    throw UserError("--lens " + text + " is not a lens; give pinhole, orthographic[:SIZE] (world units, such as 2.5), "
+                    "fisheye[:DEGREES] (1 to 360) or panorama");
   }
 }
 
@@ -101,16 +126,17 @@ void add_sampling_options(CLI::App &command, SamplingOptions &options) {
   command.add_option("--filter", options.filter, "how they become a pixel: box (default) or tent")->type_name("FILTER");
   command
       .add_option("--lens", options.lens,
-                  "pinhole (default), orthographic (framed as the pinhole frames what it looks at), fisheye[:DEGREES] (default 180) or "
+                  "pinhole (default), orthographic[:SIZE] (world units across the shorter side; default: as the pinhole frames what it "
+                  "looks at), fisheye[:DEGREES] (default 180) or "
                   "panorama (360 x 180 degrees)")
       ->type_name("LENS");
   command.add_option("--seed", options.seed, "of random and jitter: another seed, other places; default: 0")->type_name("N");
 }
 
-void set_sampling(Sampling &sampling, const SamplingOptions &options, const fc_camera &camera) {
+void set_sampling(Sampling &sampling, const SamplingOptions &options, const CoreScene &core) {
   sampling.wanted = !options.samples.empty() || !options.filter.empty() || !options.lens.empty();
   if (!options.samples.empty()) set_pattern(sampling.how, options.samples);
-  if (!options.lens.empty()) set_lens(sampling, options.lens, camera);
+  if (!options.lens.empty()) set_lens(sampling, options.lens, core);
   sampling.how.seed = options.seed;
   if (options.filter == "tent")
     sampling.how.filter = FC_FILTER_TENT;
