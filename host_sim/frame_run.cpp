@@ -51,6 +51,7 @@ Picture render_rows(const CoreFrame &frame, const Sampling &sampling, fc_format 
   if (sampling.wanted) {
     int error = FC_OK;
     scratch.resize(fc_sample_scratch(&frame.get(), &sampling.how, &error) / sizeof scratch[0] + 1);
+    if (error == FC_ERR_LENS) throw UserError("--lens: the frame would reach far beyond the scene; give a smaller orthographic size");
     if (error < 0) throw UserError(std::string("cannot sample: ") + fc_error_text(error));
     p.samples.resize(size);
   }

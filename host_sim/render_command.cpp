@@ -78,7 +78,7 @@ struct RenderedFrame {
 
 void render_into(RenderedFrame &to, const RenderOptions &options, bool quiet) {
   Sampling sampling;
-  set_sampling(sampling, options.sampling, to.scene.core.camera);
+  set_sampling(sampling, options.sampling, to.scene.core);
   if (sampling.wanted && to.scene.options.profile != FC_PROFILE_EXACT)
     throw UserError("--profile " + options.profile + ": --samples, --filter and --lens trace exact rays; leave --profile out");
   to.frame = std::make_unique<CoreFrame>(to.scene.file, to.scene.core, to.scene.options, to.scene.width, to.scene.height);

@@ -9,7 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "fixcast/fixcast.h"
+#include "to_core.h"
 
 namespace host {
 
@@ -35,7 +35,7 @@ struct Sampling {
 void add_sampling_options(CLI::App &command, SamplingOptions &options);
 
 /* Throws UserError. A lens named without a size is framed as the camera's pinhole frames its target. */
-void set_sampling(Sampling &sampling, const SamplingOptions &options, const fc_camera &camera);
+void set_sampling(Sampling &sampling, const SamplingOptions &options, const CoreScene &core);
 
 } // namespace host
 

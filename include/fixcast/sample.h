@@ -75,14 +75,15 @@ extern const fc_pattern fc_pattern_jittered; /* one place anywhere in each of co
 /*
  * Adaptive: the pixel's centre and its four corners, which the neighbours share, so two rays a pixel to begin with. Each quarter of the
  * pixel stands for the mean of its corner and the centre when they show the same object and differ by no more than the threshold;
- * otherwise it is a square of its own, with two more corners and a centre, treated alike, down to `depth` halvings. Every ray
- * weighs what its area is. FC_FILTER_BOX only. Needs scratch memory.
+ * otherwise it is a square of its own, with two more corners and a centre, treated alike, down to `depth` halvings. The threshold grows as
+ * the area shrinks, fourfold at each halving. Every ray weighs what its area is. Corners that squares share are traced once in a
+ * pixel and on the edge to its right neighbour. FC_FILTER_BOX only. Needs scratch memory. Good: depth 3, threshold FC_CHANNEL8(6).
  */
 extern const fc_pattern fc_pattern_quincunx;
 
 #define FC_SAMPLE_SIDE_MAX 64
 #define FC_SAMPLE_COUNT_MAX 4096
-#define FC_QUINCUNX_DEPTH_MAX 6
+#define FC_QUINCUNX_DEPTH_MAX 5
 
 typedef enum fc_filter {
   FC_FILTER_BOX = 0, /* the mean over the pixel */
@@ -95,7 +96,7 @@ typedef struct fc_sampling {
   const fc_pattern *pattern;
   fc_lens lens;
   uint16_t count;         /* of regular, random and jittered, as said there */
-  uint16_t threshold_q15; /* of quincunx: differences of a linear channel up to this are none; 32768 is white. 0: all differences count */
+  uint16_t threshold_q15; /* of quincunx: differences of a linear channel up to this are none; 0..32768 (white). 0: all differences count */
   uint8_t depth;          /* of quincunx: 0..FC_QUINCUNX_DEPTH_MAX */
   uint8_t filter;         /* fc_filter */
   uint32_t seed;          /* of random and jittered: another seed, other places */
@@ -105,8 +106,8 @@ typedef struct fc_sampling {
 #define FC_SAMPLING_ONE \
   { &fc_pattern_one, {&fc_lens_pinhole, NULL}, 0, 0, 0, FC_FILTER_BOX, 0 }
 
-/* Bytes of scratch memory that fc_sample_rows needs for strips of this frame: 0, or, for quincunx, 16 for each of width + 1 corners and 148 for
- * each of depth + 1 levels. 0 also on an error, through *error (may be NULL): those of fc_sample_rows. */
+/* Bytes of scratch memory that fc_sample_rows needs for strips of this frame: 0, or, for quincunx, 16 for each of width + 1 corners and of
+ * (2^depth + 1)^2 points of a pixel: 3.4 KB for 128 columns and depth 3. 0 also on an error, through *error (may be NULL): those of fc_sample_rows. */
 size_t fc_sample_scratch(const fc_frame *frame, const fc_sampling *how, int *error);
 
 /*
@@ -117,8 +118,8 @@ size_t fc_sample_scratch(const fc_frame *frame, const fc_sampling *how, int *err
  * pixel. Depth is the camera z for pinhole and orthographic; for fisheye and panorama the same code holds the distance from the eye.
  *
  * `samples`: rows of width, or NULL: how many rays the pixel has added. Of quincunx a corner that pixels share counts for the pixel that it
- * is the upper left corner of; those on the frame's right and bottom edges for the last pixels. (A strip traces its uppermost
- * corners again; they are not counted twice.)
+ * is the upper left corner of, those on the frame's right and bottom edges for the last pixels, and what lies on the edge to the left for
+ * the pixel there. (A strip traces its uppermost corners again; they are not counted twice.)
  *
  * `scratch`: fc_sample_scratch() bytes, aligned for uint32_t; nothing of it is kept. NULL when that is 0. Two cores need one each.
  *

@@ -7,24 +7,17 @@
 typedef struct point {
   uint32_t radiance_q22[3];
   uint16_t object;
+  uint16_t known; /* 0: not traced yet */
 } point;
 
-/* A square: its corners, the middles of its edges and its centre, row by row; those with a bit in `known` are traced. */
-typedef struct square {
-  point points[9];
-  uint16_t known;
-  uint8_t quarter; /* the one at hand; bit 0: the right, bit 1: the lower */
-} square;
-
-#define CENTRE 4
-
-/* The ways across a square are all steps in a table of three by three. */
-static uint8_t corner_of(uint8_t quarter) { return (uint8_t)((quarter & 1) * 2 + (quarter >> 1) * 6); }
-
-/* Where corner `i` of a quarter lies in the square. */
-static uint8_t in_square(uint8_t quarter, uint8_t i) {
-  return (uint8_t)((quarter & 1) + (i & 1) + ((quarter >> 1) + (i >> 1)) * 3);
-}
+/* The pixel at hand. Corners of squares of all sizes, and the centres of all but the smallest, are points of a grid of 2^depth steps a
+ * side, so that what squares share is there for all of them. */
+typedef struct pixel {
+  const fc_sampler *sampler;
+  point *grid;       /* (steps + 1)^2, row by row */
+  int32_t place[2];  /* its upper left corner */
+  uint16_t steps, rays;
+} pixel;
 
 static FC_COLD void trace(const fc_sampler *sampler, const int32_t place_q16[2], point *p, fc_seen *seen) {
   uint8_t i;
@@ -34,9 +27,11 @@ static FC_COLD void trace(const fc_sampler *sampler, const int32_t place_q16[2],
     p->radiance_q22[i] = (uint32_t)q22;
   }
   p->object = seen->object;
+  p->known = 1;
 }
 
-static FC_COLD bool alike(const fc_sampling *how, const point *a, const point *b) {
+/* A quarter of a smaller square is a fourth of the pixel less at each level: as much more may be lost there. */
+static FC_COLD bool alike(const fc_sampling *how, uint8_t level, const point *a, const point *b) {
   const uint32_t white = UINT32_C(1) << 22;
   uint8_t i;
   if (a->object != b->object) return false;
@@ -44,76 +39,81 @@ static FC_COLD bool alike(const fc_sampling *how, const point *a, const point *b
     /* what is brighter than white looks the same */
     uint32_t u = a->radiance_q22[i] < white ? a->radiance_q22[i] : white;
     uint32_t v = b->radiance_q22[i] < white ? b->radiance_q22[i] : white;
-    if ((u > v ? u - v : v - u) > (uint32_t)how->threshold_q15 << 7) return false;
+    if ((u > v ? u - v : v - u) > (uint64_t)how->threshold_q15 << (7 + 2 * level)) return false;
   }
   return true;
 }
 
-/* sum += weight (a + b): weights of all pairs together 2^12 at most. */
+/* sum += weight (a + b): weights of all pairs together are 2^12 at most. */
 static FC_COLD void add(uint64_t sum[3], const point *a, const point *b, uint8_t weight_bits) {
   uint8_t i;
   for (i = 0; i < 3; i++) sum[i] += ((uint64_t)a->radiance_q22[i] + b->radiance_q22[i]) << weight_bits;
 }
 
-/* Begins a square of which the corners are there: traces its centre. */
-static FC_COLD void start(const fc_sampler *sampler, square *s, const int32_t place_q16[2], int32_t side, fc_seen *centre) {
+/* Traces a point that is (x, y) / 2 steps from the pixel's corner. */
+static FC_COLD void trace_at(pixel *p, uint16_t x, uint16_t y, point *to, fc_seen *seen) {
   int32_t at[2];
-  at[0] = place_q16[0] + side / 2;
-  at[1] = place_q16[1] + side / 2;
-  trace(sampler, at, &s->points[CENTRE], centre);
-  s->known = 0x155; /* corners and centre */
-  s->quarter = 0;
+  at[0] = p->place[0] + x * (FC_PLACE_HALF / p->steps);
+  at[1] = p->place[1] + y * (FC_PLACE_HALF / p->steps);
+  trace(p->sampler, at, to, seen);
+  p->rays++;
 }
 
-/* The pixel whose square stands on level 0, corners known, its upper left corner at `place`: its sum, 8 4^depth times Q22.
- * Returns how many rays that took. */
-static FC_COLD uint16_t pixel(const fc_sampler *sampler, square *levels, const int32_t place_q16[2], uint64_t sum[3], fc_seen *centre) {
-  const uint8_t depth = sampler->how.depth;
-  int32_t at[2], side = FC_PLACE_ONE;
-  uint16_t rays = 1;
-  uint8_t level = 0, i;
+/* The point of the grid at (x, y), traced when it has not been yet. */
+static FC_COLD const point *at_grid(pixel *p, uint16_t x, uint16_t y) {
+  point *to = p->grid + (size_t)y * (p->steps + 1u) + x;
+  if (to->known == 0) {
+    fc_seen seen;
+    trace_at(p, (uint16_t)(2 * x), (uint16_t)(2 * y), to, &seen);
+  }
+  return to;
+}
+
+/* The pixel's sum, 8 4^depth times Q22: squares one in another, without recursion. */
+static FC_COLD void sum_squares(pixel *p, uint64_t sum[3], fc_seen *centre) {
+  const uint8_t depth = p->sampler->how.depth;
+  uint8_t quarter[FC_QUINCUNX_DEPTH_MAX + 1]; /* of the square of each level: the one at hand; bit 0: the right, bit 1: the lower */
+  uint16_t x = 0, y = 0, side = p->steps;      /* of the square at this level, in steps */
+  uint8_t level = 0, q;
+  point smallest; /* the centre of a square of a step, which is none of the grid */
   fc_seen seen;
-  start(sampler, levels, place_q16, side, centre);
   sum[0] = sum[1] = sum[2] = 0;
-  at[0] = place_q16[0];
-  at[1] = place_q16[1];
+  quarter[0] = 0;
+  trace_at(p, side, side, depth == 0 ? &smallest : p->grid + (size_t)(side / 2u) * (side + 2u), centre);
   for (;;) {
-    /* `at` and `side` are those of the square at this level */
-    square *s = levels + level, *to = s + 1;
-    uint8_t q = s->quarter;
-    const point *corner = &s->points[corner_of(q)];
+    const point *corner, *middle;
+    q = quarter[level];
     if (q == 4) {
-      if (level == 0) return rays;
-      /* back to the square that this one is a quarter of */
-      q = levels[--level].quarter++;
-      at[0] -= (q & 1) * side;
-      at[1] -= (q >> 1) * side;
-      side *= 2;
+      if (level == 0) return;
+      q = quarter[--level]++;
+      x = (uint16_t)(x - (q & 1) * side);
+      y = (uint16_t)(y - (q >> 1) * side);
+      side = (uint16_t)(side * 2);
       continue;
     }
-    if (level == depth || alike(&sampler->how, corner, &s->points[CENTRE])) {
-      add(sum, corner, &s->points[CENTRE], (uint8_t)(2 * (depth - level)));
-      s->quarter++;
+    corner = at_grid(p, (uint16_t)(x + (q & 1) * side), (uint16_t)(y + (q >> 1) * side));
+    middle = level == depth ? &smallest : at_grid(p, (uint16_t)(x + side / 2), (uint16_t)(y + side / 2));
+    if (level == depth || alike(&p->sampler->how, level, corner, middle)) {
+      add(sum, corner, middle, (uint8_t)(2 * (depth - level)));
+      quarter[level]++;
       continue;
     }
-    side /= 2;
-    for (i = 0; i < 4; i++) {
-      const uint8_t j = in_square(q, i);
-      if ((s->known >> j & 1) == 0) {
-        int32_t middle[2];
-        middle[0] = at[0] + j % 3 * side;
-        middle[1] = at[1] + j / 3 * side;
-        trace(sampler, middle, &s->points[j], &seen);
-        s->known = (uint16_t)(s->known | 1u << j);
-        rays++;
-      }
-      to->points[corner_of(i)] = s->points[j];
-    }
-    at[0] += (q & 1) * side;
-    at[1] += (q >> 1) * side;
-    start(sampler, to, at, side, &seen);
-    rays++;
-    level++;
+    side = (uint16_t)(side / 2);
+    x = (uint16_t)(x + (q & 1) * side);
+    y = (uint16_t)(y + (q >> 1) * side);
+    quarter[++level] = 0;
+    if (level == depth) trace_at(p, (uint16_t)(2 * x + 1), (uint16_t)(2 * y + 1), &smallest, &seen);
+  }
+}
+
+/* From a pixel to its right neighbour, or (`first`) to the first of a row: what is known is the edge between them. */
+static FC_COLD void move_on(pixel *p, bool first) {
+  const uint16_t points = (uint16_t)(p->steps + 1);
+  uint16_t x, y;
+  for (y = 0; y < points; y++) {
+    point *row = p->grid + (size_t)y * points;
+    if (!first) row[0] = row[p->steps];
+    for (x = first ? 0 : 1; x < points; x++) row[x].known = 0;
   }
 }
 
@@ -122,49 +122,54 @@ static FC_COLD bool check(const fc_sampling *how) {
 }
 
 static FC_COLD size_t scratch_bytes(const fc_sampling *how, uint16_t width) {
-  return ((size_t)how->depth + 1) * sizeof(square) + ((size_t)width + 1) * sizeof(point);
+  const uint32_t side = (UINT32_C(1) << how->depth) + 1, bytes = (side * side + width + 1) * (uint32_t)sizeof(point);
+  return (size_t)bytes == bytes ? (size_t)bytes : SIZE_MAX; /* more than nobody has */
 }
 
 static FC_COLD void strip(const fc_sampler *sampler, void *scratch) {
-  const uint16_t width = sampler->frame.width, height = sampler->frame.height;
-  const uint8_t up = (uint8_t)(14 - 2 * sampler->how.depth); /* from 8 4^depth times Q22, below 2^46, to Q39 */
-  square *levels = scratch;
-  point *corners = (point *)(levels + sampler->how.depth + 1); /* those above the row, and below where the row is done */
+  const uint16_t width = sampler->frame.width, last_row = (uint16_t)(sampler->frame.height - 1);
+  const uint8_t up = (uint8_t)(14 - 2 * sampler->how.depth); /* from 8 4^depth times Q22, below 2^44, to Q39 */
+  pixel p;
+  point *corners, *far_corner; /* those above the row; where the row is done, those below */
   fc_seen seen;
-  int32_t at[2];
   uint16_t x, row;
-  at[1] = (int32_t)sampler->y * FC_PLACE_ONE;
+  p.sampler = sampler;
+  p.grid = scratch;
+  p.steps = (uint16_t)(1u << sampler->how.depth);
+  far_corner = p.grid + (size_t)p.steps * (p.steps + 2u);
+  corners = far_corner + 1;
+  p.place[1] = (int32_t)sampler->y * FC_PLACE_ONE;
   for (x = 0; x <= width; x++) {
-    at[0] = x * FC_PLACE_ONE;
-    trace(sampler, at, &corners[x], &seen);
+    p.place[0] = x * FC_PLACE_ONE;
+    trace(sampler, p.place, &corners[x], &seen);
   }
   for (row = 0; row < sampler->rows; row++) {
-    const int32_t upper = (int32_t)(sampler->y + row) * FC_PLACE_ONE, lower = upper + FC_PLACE_ONE;
-    point above = corners[0]; /* the pixel's upper left corner */
+    const uint16_t y = (uint16_t)(sampler->y + row);
+    point below; /* the corner between this pixel and the next, of the lower edge */
+    int32_t at[2];
     at[0] = 0;
-    at[1] = lower;
-    trace(sampler, at, &corners[0], &seen);
+    at[1] = (y + INT32_C(1)) * FC_PLACE_ONE;
+    trace(sampler, at, &below, &seen);
+    p.place[1] = (int32_t)y * FC_PLACE_ONE;
     for (x = 0; x < width; x++) {
       uint64_t sum[3];
-      uint16_t rays;
       uint8_t i;
-      levels[0].points[0] = above;
-      levels[0].points[2] = corners[x + 1];
-      levels[0].points[6] = corners[x];
-      above = corners[x + 1];
+      move_on(&p, x == 0);
+      p.grid[0] = corners[x];
+      p.grid[p.steps] = corners[x + 1];
+      far_corner[-(int32_t)p.steps] = below;
+      corners[x] = below;
       at[0] = (x + INT32_C(1)) * FC_PLACE_ONE;
-      at[1] = lower;
-      trace(sampler, at, &corners[x + 1], &seen);
-      levels[0].points[8] = corners[x + 1];
-      at[0] = x * FC_PLACE_ONE;
-      at[1] = upper;
-      rays = (uint16_t)(pixel(sampler, levels, at, sum, &seen) + 1);
-      /* corners of the frame's last edges belong to nobody else */
-      if (x + 1 == width) rays++;
-      if (sampler->y + row + 1 == height) rays = (uint16_t)(rays + (x + 1 == width ? 2 : 1));
+      trace(sampler, at, &below, &seen);
+      *far_corner = below;
+      p.place[0] = x * FC_PLACE_ONE;
+      /* its upper left corner; those of the frame's last edges belong to nobody else */
+      p.rays = (uint16_t)(1 + (x + 1 == width) + (y == last_row) + (x + 1 == width && y == last_row));
+      sum_squares(&p, sum, &seen);
       for (i = 0; i < 3; i++) sum[i] <<= up;
-      fc_sample_put(sampler, x, row, sum, rays, &seen);
+      fc_sample_put(sampler, x, row, sum, p.rays, &seen);
     }
+    corners[width] = below;
   }
 }
 
