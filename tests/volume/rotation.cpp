@@ -183,6 +183,12 @@ void long_products_stay_rotations(Random &random) {
   }
   fc_matrix m;
   if (fc_rotation_matrix(&m, &r) != FC_OK) wrong("matrix refused");
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) {
+      Real rows = -(i == j);
+      for (int k = 0; k < 3; k++) rows += (m.row[i][k] * ulp) * (m.row[j][k] * ulp);
+      if (!(fabsl(rows) <= 2 * ulp)) wrong("M M' - I, entry %d %d: %.3Lf * 2^-30", i, j, rows / ulp);
+    }
 }
 
 void inverse_restores_to_the_bit(Random &random) {
