@@ -317,12 +317,8 @@ private:
         break;
       }
     }
-    if (shown == nullptr && x1 - x0 == 1 && y1 - y0 == 1) { /* the centre alone: the nearest that covers it */
-      for (const Flat<T> *f : in_it)
-        if (covers(*f, x[0], y[0]) && (shown == nullptr || depth(*f, x[0], y[0]) > depth(*shown, x[0], y[0])))
-          shown = f;
-      if (shown == nullptr) return;
-    }
+    /* a window of one pixel is its centre: what covers it nearest surrounds it, so one is shown */
+    if (shown == nullptr && x1 - x0 == 1 && y1 - y0 == 1) return;
     if (shown != nullptr) {
       for (int row = y0; row < y1; row++)
         for (int column = x0; column < x1; column++)
