@@ -69,7 +69,7 @@ int fc_rotation_matrix(fc_matrix *matrix, const fc_rotation *rotation);
 int fc_rotate_points(fc_vec3 *to, const fc_vec3 *from, uint16_t count, const fc_matrix *matrix, const fc_vec3 *pivot);
 
 /*
- * The virtual trackball: a glass ball behind the screen that the mouse rolls (lecture "Sampling, Virtual Trackball, Hidden Surfaces";
+ * The virtual trackball: a glass ball behind the screen that the mouse rolls (lecture "Sampling, Virtual Trackball, Hidden Surfaces", Munzner;
  * Chen, Mountford, Sellen 1988).
  *
  * A mouse position is a place on the screen, counted from the ball's centre: x to the right, y up, in any unit (half pixels, say); the

@@ -3,7 +3,7 @@
 
 namespace {
 
-/* a t^2 + b t + c = 0 (lecture "Intersection tests", analytical). */
+/* a t^2 + b t + c = 0 (lecture "Sampling and Object intersection", analytical). */
 template <typename T>
 bool sphere_by_algebra(Vector<T> d, Vector<T> center, T radius, T *t) {
   const Vector<T> o = Vector<T>{T(0.0), T(0.0), T(0.0)} - center;
