@@ -10,7 +10,7 @@ extern "C" {
 #endif
 
 /*
- * Where a mirror sends a ray: R = D - 2 (n . D) n / n^2 (law of reflection; lecture "Light and materials"), for a direction and a normal of any
+ * Where a mirror sends a ray: R = D - 2 (n . D) n / n^2 (the law of reflection), for a direction and a normal of any
  * length but 0, times the power of two that gives its largest component 30 bits (29 in the rare case that 30 leave no room), rounded.
  *
  * Each component is within 1/2 + 2^-30 of that multiple of R; it is the multiple where that is whole, so three mirrors at right angles along

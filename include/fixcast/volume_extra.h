@@ -33,9 +33,9 @@ typedef struct fc_polytope {
   uint16_t vertex_count, face_count, edge_count; /* vertex_count at least 1, or FC_ERR_COUNT */
 } fc_polytope;
 
-/* By separating axes (lecture "Intersection tests"; Gottschalk 1996): normals of faces, cross products of an edge of each, and, for what is
- * flat, the axes and their cross products with edges. FC_ERR_INDEX: a face or an edge names a vertex that does not exist. Work is the
- * product of the numbers of edges times the number of vertices. */
+/* By separating axes (lecture "Sampling and Object intersection"; Gottschalk 1996): normals of faces, cross products of an edge of each,
+ * and, for what is flat, the axes and their cross products with edges. FC_ERR_INDEX: a face or an edge names a vertex that does not
+ * exist. Work is the product of the numbers of edges times the number of vertices. */
 int fc_convex_convex(const fc_polytope *a, const fc_polytope *b);
 
 /* ---- slabs: oriented boxes and k-DOPs ---- */

@@ -5,7 +5,8 @@ static const fc_material material[] FC_ROM = {{FC_RGB8(200, 100, 50)}};
 static const fc_sphere spheres[] FC_ROM = {{FC_VEC3(0, 0, -4), FC_Q16(1), 0, 1}};
 static const fc_light lights[] FC_ROM = {{.position = FC_VEC3(-3, 5, 1), .intensity = FC_GREY(0.875)}};
 static const fc_shapes shapes[] FC_ROM = {FC_SPHERES(spheres)};
-static const fc_scene scene FC_ROM = {.shapes = shapes, .shape_count = 1, .materials = material, .material_count = 1, .lights = lights, .light_count = 1};
+static const fc_scene scene FC_ROM = {
+    .shapes = shapes, .shape_count = 1, .materials = material, .material_count = 1, .lights = lights, .light_count = 1};
 static const fc_camera camera FC_ROM = {
     .eye = {0, 0, 0}, .target = FC_VEC3(0, 0, -1), .up = {0, 1, 0}, .tan_half_fov_numerator = 1, .tan_half_fov_denominator = 2};
 

@@ -25,7 +25,8 @@ void exact_reflection(Vec d, Vec n, Z out[3]) {
 Vec reflect(Vec d, Vec n) {
   fc_vec3 direction = to_core(d), normal = to_core(n), r;
   int error = fc_reflect(&r, &direction, &normal);
-  if (error != FC_OK) fail("fc_reflect: %s; %s on %s", fc_error_text(error), oracle::text(d).c_str(), oracle::text(n).c_str());
+  if (error != FC_OK)
+    fail("fc_reflect: %s; %s on %s", fc_error_text(error), oracle::text(d).c_str(), oracle::text(n).c_str());
   return from_core(r);
 }
 
@@ -46,7 +47,8 @@ void check_reflection(Vec d, Vec n) {
   }
   std::string what = oracle::text(d) + " on " + oracle::text(n) + " gives " + oracle::text(r);
   if (sgn(out) != -sgn(along)) fail("n . R has the wrong sign: %s", what.c_str());
-  if (largest(r) > coordinate_max || largest(r) < (INT64_C(1) << 28) - 3) fail("not scaled to 30 bits: %s", what.c_str());
+  if (largest(r) > coordinate_max || largest(r) < (INT64_C(1) << 28) - 3)
+    fail("not scaled to 30 bits: %s", what.c_str());
   /* the power of two */
   Q scale = Q(1, n2);
   while (abs(Q(exact[big])) * scale * 2 <= Q(z(largest(r) + 3))) scale *= 2;
@@ -88,7 +90,8 @@ uint64_t grazing(Random &random) {
   if (!(reflect(d, n) == reflect(d, -n))) {
     /* only where a half is rounded or a ray is kept out may the mirror's two faces differ: never by more */
     Vec difference = reflect(d, n) - reflect(d, -n);
-    if (largest(difference) > 4) fail("front and back of %s reflect %s differently", oracle::text(n).c_str(), oracle::text(d).c_str());
+    if (largest(difference) > 4)
+      fail("front and back of %s reflect %s differently", oracle::text(n).c_str(), oracle::text(d).c_str());
   }
   return 2;
 }
@@ -105,7 +108,8 @@ bool is_back(Vec d, Vec back, int *k) {
 uint64_t corner_reflector(Random &random) {
   /* along the axes: any lengths, signs and order */
   Vec d = random.direction(30), mirror[3];
-  int k, order = static_cast<int>(random.within(0, 5)), axes[3] = {order / 2, (order / 2 + 1 + order % 2) % 3, 0};
+  int k, order = static_cast<int>(random.within(0, 5)),
+         axes[3] = {order / 2, (order / 2 + 1 + order % 2) % 3, 0};
   axes[2] = 3 - axes[0] - axes[1];
   if (random.within(0, 7) == 0) d = {coordinate_max, -coordinate_max, random.flip() ? coordinate_max : 1};
   Vec r = d;
@@ -116,7 +120,8 @@ uint64_t corner_reflector(Random &random) {
     r = reflect(r, mirror[i]);
   }
   if (!is_back(d, r, &k)) fail("axes: %s comes back as %s", oracle::text(d).c_str(), oracle::text(r).c_str());
-  if (largest(d) > coordinate_max / 2 && k != 0) fail("axes: %s is scaled by 2^%d", oracle::text(d).c_str(), k);
+  if (largest(d) > coordinate_max / 2 && k != 0)
+    fail("axes: %s is scaled by 2^%d", oracle::text(d).c_str(), k);
 
   /* askew, three mirrors at right angles of a whole length: exact where every reflection on the way is whole */
   Vec row[3];
@@ -124,7 +129,9 @@ uint64_t corner_reflector(Random &random) {
   d = random.direction(8) * n2;
   r = d;
   for (int i = 0; i < 3; i++) r = reflect(r, row[i]);
-  if (largest(d) < INT64_C(1) << 26 && !is_back(d, r, &k)) fail("frame of %lld: %s comes back as %s", static_cast<long long>(n), oracle::text(d).c_str(), oracle::text(r).c_str());
+  if (largest(d) < INT64_C(1) << 26 && !is_back(d, r, &k))
+    fail("frame of %lld: %s comes back as %s", static_cast<long long>(n), oracle::text(d).c_str(),
+         oracle::text(r).c_str());
 
   /* through a scene: into the corner and out of it, a plane after the other */
   std::vector<oracle::Shape> planes;
@@ -145,8 +152,10 @@ uint64_t corner_reflector(Random &random) {
   for (int i = 0; i < 3; i++) {
     fc_hit hit;
     if (shoot(corner, at, r, &hit) != 1) {
-      if (met != 0 && (at.x == 0) + (at.y == 0) + (at.z == 0) > 1) return 5; /* ends on an edge of the corner */
-      fail("leaves the corner after %d mirrors: from %s along %s", i, oracle::text(at).c_str(), oracle::text(r).c_str());
+      if (met != 0 && (at.x == 0) + (at.y == 0) + (at.z == 0) > 1)
+        return 5; /* ends on an edge of the corner */
+      fail("leaves the corner after %d mirrors: from %s along %s", i, oracle::text(at).c_str(),
+           oracle::text(r).c_str());
     }
     met |= UINT32_C(1) << hit.primitive;
     at = from_core(hit.position);
@@ -155,7 +164,8 @@ uint64_t corner_reflector(Random &random) {
     r = reflect(r, from_core(hit.normal_q30));
   }
   if (met != 7) return 5; /* as above */
-  if (!is_back(way, r, &k)) fail("scene: %s comes back as %s", oracle::text(way).c_str(), oracle::text(r).c_str());
+  if (!is_back(way, r, &k))
+    fail("scene: %s comes back as %s", oracle::text(way).c_str(), oracle::text(r).c_str());
   return 6;
 }
 

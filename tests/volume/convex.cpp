@@ -15,9 +15,12 @@ public:
   fc_polytope core() {
     vertices_.clear();
     for (Vec p : points) vertices_.push_back(to_core(p));
-    return {vertices_.data(), faces_.empty() ? nullptr : reinterpret_cast<const uint16_t(*)[3]>(faces_.data()),
-            edges_.empty() ? nullptr : reinterpret_cast<const uint16_t(*)[2]>(edges_.data()), static_cast<uint16_t>(points.size()),
-            static_cast<uint16_t>(faces_.size()), static_cast<uint16_t>(edges_.size())};
+    return {vertices_.data(),
+            faces_.empty() ? nullptr : reinterpret_cast<const uint16_t(*)[3]>(faces_.data()),
+            edges_.empty() ? nullptr : reinterpret_cast<const uint16_t(*)[2]>(edges_.data()),
+            static_cast<uint16_t>(points.size()),
+            static_cast<uint16_t>(faces_.size()),
+            static_cast<uint16_t>(edges_.size())};
   }
   bool in_range() const {
     for (Vec p : points)
@@ -32,7 +35,9 @@ public:
   void move(Vec by) {
     for (Vec &p : points) p = p + by;
   }
-  void face(int a, int b, int c) { faces_.push_back({{static_cast<uint16_t>(a), static_cast<uint16_t>(b), static_cast<uint16_t>(c)}}); }
+  void face(int a, int b, int c) {
+    faces_.push_back({{static_cast<uint16_t>(a), static_cast<uint16_t>(b), static_cast<uint16_t>(c)}});
+  }
   void edge(int a, int b) { edges_.push_back({{static_cast<uint16_t>(a), static_cast<uint16_t>(b)}}); }
 
 private:
@@ -56,7 +61,8 @@ void every_face_and_edge_of_a_tetrahedron(Body *b) {
 /* A tetrahedron, parallelepiped, octahedron, prism, triangle, parallelogram, segment or point. */
 Body any_body(Random &random, int bits, int kinds = 7) {
   Body b;
-  Vec p = random.vec(bits), u = random.direction(bits), v = random.direction(bits), w = random.direction(bits);
+  Vec p = random.vec(bits), u = random.direction(bits), v = random.direction(bits),
+      w = random.direction(bits);
   switch (random.within(0, kinds)) {
     case 0:
       b.points = {p, p + u, p + v, p + w};
@@ -171,7 +177,8 @@ void extremes(Random &random) {
   for (Body &b : body) {
     for (int i = 0; i < 4; i++) {
       Vec p;
-      for (int c = 0; c < 3; c++) p[c] = (random.flip() ? 1 : -1) * (coordinate_max - (random.within(0, 3) == 0 ? 1 : 0));
+      for (int c = 0; c < 3; c++)
+        p[c] = (random.flip() ? 1 : -1) * (coordinate_max - (random.within(0, 3) == 0 ? 1 : 0));
       b.points.push_back(p);
     }
     Vec p = b.points[0];
@@ -179,7 +186,8 @@ void extremes(Random &random) {
     Vec e[3] = {b.points[1] - p, b.points[2] - p, b.points[3] - p};
     for (int c = 0; c < 3; c++) {
       int j = (c + 1) % 3, k = (c + 2) % 3;
-      volume += (static_cast<__int128>(e[0][j]) * e[1][k] - static_cast<__int128>(e[0][k]) * e[1][j]) * e[2][c];
+      volume +=
+          (static_cast<__int128>(e[0][j]) * e[1][k] - static_cast<__int128>(e[0][k]) * e[1][j]) * e[2][c];
     }
     if (volume == 0) return;
     every_face_and_edge_of_a_tetrahedron(&b);
@@ -190,14 +198,16 @@ void extremes(Random &random) {
 void bad_arguments_are_refused(Random &) {
   const fc_vec3 points[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, far[1] = {{0, 0, INT32_MIN}};
   const uint16_t faces[1][3] = {{0, 1, 2}}, edges[2][2] = {{0, 1}, {2, 3}};
-  const fc_polytope good = {points, faces, edges, 3, 1, 1}, empty = {points, faces, edges, 0, 1, 1}, none = {nullptr, faces, edges, 3, 1, 1},
-                    faceless = {points, nullptr, edges, 3, 1, 1}, edgeless = {points, faces, nullptr, 3, 1, 1}, astray = {points, faces, edges, 3, 1, 2},
+  const fc_polytope good = {points, faces, edges, 3, 1, 1}, empty = {points, faces, edges, 0, 1, 1},
+                    none = {nullptr, faces, edges, 3, 1, 1}, faceless = {points, nullptr, edges, 3, 1, 1},
+                    edgeless = {points, faces, nullptr, 3, 1, 1}, astray = {points, faces, edges, 3, 1, 2},
                     small = {points, faces, edges, 2, 1, 1}, out = {far, nullptr, nullptr, 1, 0, 0};
   if (fc_convex_convex(nullptr, &good) != FC_ERR_NULL || fc_convex_convex(&good, nullptr) != FC_ERR_NULL ||
       fc_convex_convex(&good, &empty) != FC_ERR_COUNT || fc_convex_convex(&none, &good) != FC_ERR_NULL ||
-      fc_convex_convex(&faceless, &good) != FC_ERR_NULL || fc_convex_convex(&good, &edgeless) != FC_ERR_NULL ||
-      fc_convex_convex(&good, &astray) != FC_ERR_INDEX || fc_convex_convex(&small, &good) != FC_ERR_INDEX ||
-      fc_convex_convex(&out, &good) != FC_ERR_COORDINATE || fc_convex_convex(&good, &good) != 1)
+      fc_convex_convex(&faceless, &good) != FC_ERR_NULL ||
+      fc_convex_convex(&good, &edgeless) != FC_ERR_NULL || fc_convex_convex(&good, &astray) != FC_ERR_INDEX ||
+      fc_convex_convex(&small, &good) != FC_ERR_INDEX || fc_convex_convex(&out, &good) != FC_ERR_COORDINATE ||
+      fc_convex_convex(&good, &good) != 1)
     wrong("a bad argument was taken, or a good one refused");
 }
 

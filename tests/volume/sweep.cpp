@@ -37,7 +37,8 @@ void against_planes(Random &random) {
   int64_t r = std::llabs(random.any_size(bits > 3 ? bits - 2 : bits)) + 1, d = random.any_size(30);
   int8_t exponent = static_cast<int8_t>(random.within(0, 32));
   if (random.flip()) { /* ends with the sphere touching exactly, or one off */
-    static const int64_t triples[][4] = {{1, 0, 0, 1}, {1, 2, 2, 3}, {2, 3, 6, 7}, {1, 4, 8, 9}, {-2, 6, 9, 11}, {0, 3, -4, 5}};
+    static const int64_t triples[][4] = {{1, 0, 0, 1}, {1, 2, 2, 3},   {2, 3, 6, 7},
+                                         {1, 4, 8, 9}, {-2, 6, 9, 11}, {0, 3, -4, 5}};
     const int64_t *t = triples[random.within(0, 5)];
     n = {t[0], t[1], t[2]};
     d = -dot(n, random.flip() ? b : a) + (random.flip() ? r : -r) * t[3] + random.within(-1, 1);
@@ -50,7 +51,8 @@ void against_planes(Random &random) {
   uint32_t tick = 77777;
   int got = fc_sweep_sphere_plane(&sphere, &to, &plane, &tick);
   Q offset = exact::whole(d) * Q(mpz_class(1) << static_cast<unsigned>(exponent));
-  Q f0 = exact::dot(exact::point(n), exact::point(a)) + offset, f1 = exact::dot(exact::point(n), exact::point(b)) + offset;
+  Q f0 = exact::dot(exact::point(n), exact::point(a)) + offset,
+    f1 = exact::dot(exact::point(n), exact::point(b)) + offset;
   Q reach2 = exact::whole(r) * exact::whole(r) * exact::dot(exact::point(n), exact::point(n));
   check("plane", got, tick, [&](const Q &t) {
     /* the least of |f| on 0..t: at an end, or 0 where it changes its sign */
@@ -63,9 +65,14 @@ void against_planes(Random &random) {
 void against_spheres(Random &random) {
   int bits = static_cast<int>(random.within(2, 30));
   Vec a = random.vec(bits), a_to = random.vec(bits), b = random.vec(bits), b_to = random.vec(bits);
-  int64_t r = std::llabs(random.any_size(bits)) + 1, s = std::llabs(random.any_size(bits > 4 ? bits - 3 : bits)) + 1;
-  if (random.flip()) { /* passes at exactly r + s, or one off: across the shortest line of a quaternion's frame */
-    static const int64_t frames[][9] = {{1, 2, 2, 2, 1, -2, 2, -2, 1}, {2, 3, 6, 3, -6, 2, 6, 2, -3}, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {4, 3, 0, -3, 4, 0, 0, 0, 5}};
+  int64_t r = std::llabs(random.any_size(bits)) + 1,
+          s = std::llabs(random.any_size(bits > 4 ? bits - 3 : bits)) + 1;
+  if (random
+          .flip()) { /* passes at exactly r + s, or one off: across the shortest line of a quaternion's frame */
+    static const int64_t frames[][9] = {{1, 2, 2, 2, 1, -2, 2, -2, 1},
+                                        {2, 3, 6, 3, -6, 2, 6, 2, -3},
+                                        {1, 0, 0, 0, 1, 0, 0, 0, 1},
+                                        {4, 3, 0, -3, 4, 0, 0, 0, 5}};
     const int64_t lengths[] = {3, 7, 1, 5};
     int64_t f = random.within(0, 3), k = random.within(1, (INT64_C(1) << bits) / 32 + 1);
     const int64_t *m = frames[f];
@@ -83,7 +90,8 @@ void against_spheres(Random &random) {
   fc_vec3 one_to = to_core(a_to), two_to = to_core(b_to);
   uint32_t tick = 77777, mirrored = 77777;
   int got = fc_sweep_sphere_sphere(&one, &one_to, &two, &two_to, &tick);
-  if (fc_sweep_sphere_sphere(&two, &two_to, &one, &one_to, &mirrored) != got || mirrored != tick) wrong("not the same the other way about");
+  if (fc_sweep_sphere_sphere(&two, &two_to, &one, &one_to, &mirrored) != got || mirrored != tick)
+    wrong("not the same the other way about");
   Point p = exact::point(a) - exact::point(b), v = exact::point(a_to) - exact::point(b_to) - p;
   Q reach = exact::whole(r + s), A = exact::dot(v, v), B = exact::dot(p, v), C = exact::dot(p, p);
   check("sphere", got, tick, [&](const Q &t) {
@@ -103,15 +111,19 @@ void check_triangle(Vec a, Vec b, int64_t r, const Vec v[3]) {
   fc_vec3 to = to_core(b), triangle[3] = {to_core(v[0]), to_core(v[1]), to_core(v[2])};
   uint32_t tick = 77777;
   int got = fc_sweep_sphere_triangle(&sphere, &to, triangle, &tick);
-  Point p[3] = {exact::point(v[0]), exact::point(v[1]), exact::point(v[2])}, from = exact::point(a), along = exact::point(b) - from;
+  Point p[3] = {exact::point(v[0]), exact::point(v[1]), exact::point(v[2])}, from = exact::point(a),
+        along = exact::point(b) - from;
   Q reach2 = exact::whole(r) * exact::whole(r);
-  std::string what = "triangle " + text(v[0]) + text(v[1]) + text(v[2]) + ", from " + text(a) + " to " + text(b) + ", radius " + std::to_string(r);
-  check(what.c_str(), got, tick, [&](const Q &t) { return exact::segment_triangle_distance2(from, from + along * t, p) <= reach2; });
+  std::string what = "triangle " + text(v[0]) + text(v[1]) + text(v[2]) + ", from " + text(a) + " to " +
+                     text(b) + ", radius " + std::to_string(r);
+  check(what.c_str(), got, tick,
+        [&](const Q &t) { return exact::segment_triangle_distance2(from, from + along * t, p) <= reach2; });
 }
 
 void against_triangles(Random &random) {
   int bits = static_cast<int>(random.flip() ? random.within(2, 30) : random.within(1, 5));
-  Vec v[3] = {random.vec(bits), random.vec(bits), random.vec(bits)}, a = random.vec(bits), b = random.vec(bits);
+  Vec v[3] = {random.vec(bits), random.vec(bits), random.vec(bits)}, a = random.vec(bits),
+      b = random.vec(bits);
   int64_t r = std::llabs(random.any_size(bits > 3 ? bits - 2 : bits)) + 1;
   switch (random.within(0, 9)) {
     case 0: v[1] = v[0]; break;
@@ -148,7 +160,8 @@ void passing_corners_and_edges(Random &random) {
 void extremes(Random &random) {
   auto any = [&] {
     Vec p;
-    for (int i = 0; i < 3; i++) p[i] = (random.flip() ? 1 : -1) * (coordinate_max - (random.within(0, 3) == 0 ? 1 : 0));
+    for (int i = 0; i < 3; i++)
+      p[i] = (random.flip() ? 1 : -1) * (coordinate_max - (random.within(0, 3) == 0 ? 1 : 0));
     return p;
   };
   Vec v[3] = {any(), any(), any()};
@@ -157,7 +170,8 @@ void extremes(Random &random) {
   fc_vec3 one_to = to_core(any()), two_to = to_core(any());
   uint32_t tick = 77777;
   int got = fc_sweep_sphere_sphere(&one, &one_to, &two, &two_to, &tick);
-  Point p = exact::point(from_core(one.center)) - exact::point(from_core(two.center)), w = exact::point(from_core(one_to)) - exact::point(from_core(two_to)) - p;
+  Point p = exact::point(from_core(one.center)) - exact::point(from_core(two.center)),
+        w = exact::point(from_core(one_to)) - exact::point(from_core(two_to)) - p;
   Q A = exact::dot(w, w), B = exact::dot(p, w), C = exact::dot(p, p), reach = exact::whole(one.radius) + 1;
   check("extreme spheres", got, tick, [&](const Q &t) {
     Q at = sgn(A) == 0 ? Q(0) : Q(-B / A);
@@ -168,20 +182,29 @@ void extremes(Random &random) {
 }
 
 void bad_arguments_are_refused(Random &) {
-  const fc_vec3 zero = {0, 0, 0}, far = {INT32_MIN, 0, 0}, t[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, astray[3] = {{0, 0, 0}, {1, 0, 0}, far};
+  const fc_vec3 zero = {0, 0, 0}, far = {INT32_MIN, 0, 0}, t[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                astray[3] = {{0, 0, 0}, {1, 0, 0}, far};
   const fc_sphere s = {{5, 5, 5}, 1, 0, 0}, hole = {{5, 5, 5}, 0, 0, 0}, out = {far, 1, 0, 0};
   const fc_plane plane = {{0, 1, 0}, 0, 0, 0, 0}, flat = {{0, 0, 0}, 0, 0, 0, 0};
   uint32_t tick = 77777;
   const struct {
     int got, expected;
-  } cases[] = {{fc_sweep_sphere_plane(nullptr, &zero, &plane, &tick), FC_ERR_NULL}, {fc_sweep_sphere_plane(&s, nullptr, &plane, &tick), FC_ERR_NULL},
-               {fc_sweep_sphere_plane(&s, &zero, nullptr, &tick), FC_ERR_NULL},     {fc_sweep_sphere_plane(&s, &far, &plane, &tick), FC_ERR_COORDINATE},
-               {fc_sweep_sphere_plane(&s, &zero, &flat, &tick), FC_ERR_NORMAL},     {fc_sweep_sphere_plane(&hole, &zero, &plane, &tick), FC_ERR_RADIUS},
-               {fc_sweep_sphere_sphere(&s, &zero, nullptr, &zero, &tick), FC_ERR_NULL}, {fc_sweep_sphere_sphere(&s, nullptr, &s, &zero, &tick), FC_ERR_NULL},
-               {fc_sweep_sphere_sphere(&s, &zero, &hole, &zero, &tick), FC_ERR_RADIUS}, {fc_sweep_sphere_sphere(&out, &zero, &s, &zero, &tick), FC_ERR_COORDINATE},
-               {fc_sweep_sphere_sphere(&s, &zero, &s, &far, &tick), FC_ERR_COORDINATE}, {fc_sweep_sphere_triangle(nullptr, &zero, t, &tick), FC_ERR_NULL},
-               {fc_sweep_sphere_triangle(&s, &zero, nullptr, &tick), FC_ERR_NULL},      {fc_sweep_sphere_triangle(&s, &zero, astray, &tick), FC_ERR_COORDINATE},
-               {fc_sweep_sphere_triangle(&hole, &zero, t, &tick), FC_ERR_RADIUS},       {fc_sweep_sphere_triangle(&s, &far, t, &tick), FC_ERR_COORDINATE}};
+  } cases[] = {{fc_sweep_sphere_plane(nullptr, &zero, &plane, &tick), FC_ERR_NULL},
+               {fc_sweep_sphere_plane(&s, nullptr, &plane, &tick), FC_ERR_NULL},
+               {fc_sweep_sphere_plane(&s, &zero, nullptr, &tick), FC_ERR_NULL},
+               {fc_sweep_sphere_plane(&s, &far, &plane, &tick), FC_ERR_COORDINATE},
+               {fc_sweep_sphere_plane(&s, &zero, &flat, &tick), FC_ERR_NORMAL},
+               {fc_sweep_sphere_plane(&hole, &zero, &plane, &tick), FC_ERR_RADIUS},
+               {fc_sweep_sphere_sphere(&s, &zero, nullptr, &zero, &tick), FC_ERR_NULL},
+               {fc_sweep_sphere_sphere(&s, nullptr, &s, &zero, &tick), FC_ERR_NULL},
+               {fc_sweep_sphere_sphere(&s, &zero, &hole, &zero, &tick), FC_ERR_RADIUS},
+               {fc_sweep_sphere_sphere(&out, &zero, &s, &zero, &tick), FC_ERR_COORDINATE},
+               {fc_sweep_sphere_sphere(&s, &zero, &s, &far, &tick), FC_ERR_COORDINATE},
+               {fc_sweep_sphere_triangle(nullptr, &zero, t, &tick), FC_ERR_NULL},
+               {fc_sweep_sphere_triangle(&s, &zero, nullptr, &tick), FC_ERR_NULL},
+               {fc_sweep_sphere_triangle(&s, &zero, astray, &tick), FC_ERR_COORDINATE},
+               {fc_sweep_sphere_triangle(&hole, &zero, t, &tick), FC_ERR_RADIUS},
+               {fc_sweep_sphere_triangle(&s, &far, t, &tick), FC_ERR_COORDINATE}};
   int i = 0;
   for (const auto &c : cases) {
     if (c.got != c.expected) wrong("case %d: error %d is right (%d)", i, c.expected, c.got);
