@@ -1,5 +1,6 @@
 /* The Linux port over a fake kernel: what arrives at the panel, and each thing that can go wrong, with its sentence and what is left afterwards. */
 #include <errno.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -104,7 +105,8 @@ static void test_transfers_are_as_large_as_bufsiz_allows(void) {
     const char *bufsiz;
     size_t limit, largest;
   } cases[] = {
-      {"4096\n", 4096, 4096}, {"1000\n", 896, 896}, {"65536\n", 65536, SIDE * 2 * STRIP}, {NULL, 4096, 4096}, {"\n", 4096, 4096}, {"100\n", 100, 100}};
+      {"4096\n", 4096, 4096}, {"1000\n", 896, 896}, {"65536\n", 65536, SIDE * 2 * STRIP}, {NULL, 4096, 4096}, {"\n", 4096, 4096},
+      {"100\n", 100, 100}};
   for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
     setUp();
     kernel.bufsiz = cases[i].bufsiz;
@@ -154,6 +156,24 @@ static void test_what_comes_after_a_transfer_waits_for_it(void) {
   TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->data_start(interface.context, picture, 9600, count_ready, &ready));
   TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->reset(interface.context, true));
   TEST_ASSERT_EQUAL_INT_MESSAGE(4, ready, "reset waits too");
+}
+
+static void test_a_transfer_is_under_way_while_the_caller_goes_on(void) {
+  const uint8_t write = 0x2C;
+  int ready = 0;
+  fc_bus interface;
+  open_bus();
+  TEST_ASSERT_EQUAL_INT(FC_OK, start());
+  interface = fc_linux_bus_ops(bus);
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->command(interface.context, &write, 1));
+  kernel.gated = true;
+  (void)pthread_mutex_lock(&fake_gate);
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->data_start(interface.context, picture, FRAME_BYTES, count_ready, &ready));
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, ready, "data_start returned although the transfer cannot have ended"); /* it waits for the gate */
+  (void)pthread_mutex_unlock(&fake_gate);
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->wait(interface.context));
+  TEST_ASSERT_EQUAL_INT(1, ready);
+  assert_shown();
 }
 
 static void test_closing_waits_for_the_transfer_under_way(void) {
@@ -480,6 +500,7 @@ int main(void) {
   RUN_TEST(test_transfers_are_as_large_as_bufsiz_allows);
   RUN_TEST(test_short_transfers_go_on_where_they_ended);
   RUN_TEST(test_what_comes_after_a_transfer_waits_for_it);
+  RUN_TEST(test_a_transfer_is_under_way_while_the_caller_goes_on);
   RUN_TEST(test_closing_waits_for_the_transfer_under_way);
   RUN_TEST(test_mode_keeps_what_the_device_tree_says_and_the_clock_is_read_back);
   RUN_TEST(test_only_the_lines_that_are_named_are_requested);
