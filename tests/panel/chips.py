@@ -115,7 +115,8 @@ def check(name, work, expected, report, objects=None, one=ONE):
         report.check(False, f"{name}: {path} has {size} bytes of {section}")
     report.equal(f"{name}: hashes", expected, chip.run(chip.link("all", objects)))
     program = chip.link("one", objects, f"-DONLY={one}")
-    others = [symbol for symbol in chip.symbols(program) if re.fullmatch(r"fc_panel(s|_(st7|ili|gc|ssd)\w+)", symbol) and symbol != ONE]
+    others = [symbol for symbol in chip.symbols(program)
+              if re.fullmatch(r"fc_panels|fc_panel_\w+", symbol) and symbol not in (ONE, "fc_panel_start", "fc_panel_stop")]
     report.equal(f"{name}: panels linked with {ONE}", [], others)
     state = chip.symbols(program)["state"]
     code = chip.panel_bytes(objects, program)

@@ -10,9 +10,9 @@ static fc_panel small; /* a copy of a record with few rows, so that every byte c
 void setUp(void) {}
 void tearDown(void) { rig_close(&it); }
 
-static void open_small(const fc_panel *panel, bool asynchronous) {
+static void open_small(const fc_panel *panel, bool asynchronous, uint16_t height) {
   small = *panel;
-  small.height = 16;
+  small.height = height;
   rig_open(&it, &small, asynchronous, false, false);
 }
 
@@ -33,7 +33,7 @@ static bool try_fault(const fc_panel *panel, virtual_fault fault, uint64_t n, ui
   const int code = fault == VIRTUAL_STUCK ? FC_ERR_BUS : VIRTUAL_FAULT_CODE;
   int error;
   bool met;
-  open_small(panel, fault != VIRTUAL_FAIL || n % 2 == 1);
+  open_small(panel, fault != VIRTUAL_FAIL || n % 2 == 1, 8);
   it.bus.fault = fault;
   it.bus.fault_at = n;
   error = rig_start(&it);
@@ -44,19 +44,19 @@ static bool try_fault(const fc_panel *panel, virtual_fault fault, uint64_t n, ui
     met = true;
   } else {
     rig_noise(&it, 9);
-    error = rig_draw(&it, 8);
+    error = rig_draw(&it, 4);
     met = error != FC_OK;
     if (met) TEST_ASSERT_EQUAL_INT(code, error);
     if (met && panel->window == FC_WINDOW_MIPI) { /* goes on without a start: the window is opened anew */
       end_of_faults();
-      TEST_ASSERT_EQUAL_INT(FC_OK, rig_draw(&it, 8));
+      TEST_ASSERT_EQUAL_INT(FC_OK, rig_draw(&it, 4));
       assert_picture();
     }
   }
   end_of_faults();
   TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
   rig_noise(&it, 10);
-  TEST_ASSERT_EQUAL_INT(FC_OK, rig_draw(&it, 8));
+  TEST_ASSERT_EQUAL_INT(FC_OK, rig_draw(&it, 4));
   assert_picture();
   rig_close(&it);
   return met;
@@ -64,16 +64,19 @@ static bool try_fault(const fc_panel *panel, virtual_fault fault, uint64_t n, ui
 
 static void every_byte(virtual_fault fault, const fc_panel *panel) {
   uint64_t start_bytes, all_bytes, n;
-  open_small(panel, false);
+  open_small(panel, false, 8);
   TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
   start_bytes = it.bus.bytes;
   rig_noise(&it, 9);
-  TEST_ASSERT_EQUAL_INT(FC_OK, rig_draw(&it, 8));
+  TEST_ASSERT_EQUAL_INT(FC_OK, rig_draw(&it, 4));
   all_bytes = it.bus.bytes;
   TEST_ASSERT_TRUE(start_bytes > 5 && all_bytes > start_bytes + 200);
   rig_close(&it);
-  for (n = 0; n < all_bytes; n++) TEST_ASSERT_TRUE_MESSAGE(try_fault(panel, fault, n, start_bytes), "the fault was not told");
-  TEST_ASSERT_FALSE_MESSAGE(try_fault(panel, fault == VIRTUAL_STUCK ? VIRTUAL_NO_FAULT : fault, all_bytes + 1, start_bytes), "a fault after the end");
+  for (n = 0; n < all_bytes; n++)
+    TEST_ASSERT_TRUE_MESSAGE(try_fault(panel, fault, n, start_bytes), "the fault was not told");
+  TEST_ASSERT_FALSE_MESSAGE(
+      try_fault(panel, fault == VIRTUAL_STUCK ? VIRTUAL_NO_FAULT : fault, all_bytes + 1, start_bytes),
+      "a fault after the end");
 }
 
 static void test_a_transfer_that_fails_at_any_byte(void) {
@@ -106,7 +109,9 @@ static void test_a_transfer_that_fails_at_any_byte_of_an_oled(void) {
   oled_fails_at_any_byte(&fc_panel_ssd1306);
   oled_fails_at_any_byte(&fc_panel_ssd0323);
 }
-static void test_ready_with_an_error_at_any_byte(void) { every_byte(VIRTUAL_READY_FAILS, &fc_panel_st7789_135); }
+static void test_ready_with_an_error_at_any_byte(void) {
+  every_byte(VIRTUAL_READY_FAILS, &fc_panel_st7789_135);
+}
 static void test_a_transfer_that_never_ends(void) {
   TEST_ASSERT_TRUE(try_fault(&fc_panel_st7789_135, VIRTUAL_STUCK, 0, 0));
   TEST_ASSERT_TRUE(try_fault(&fc_panel_ssd1351, VIRTUAL_STUCK, 0, 0));
@@ -127,7 +132,7 @@ static void test_an_error_of_a_started_transfer_is_told_by_the_next_call_once(vo
   static uint8_t pixels[135 * 2 * 8];
   const fc_area area = {0, 0, 135, 8};
   told was = {0, FC_OK};
-  open_small(&fc_panel_st7789_135, true);
+  open_small(&fc_panel_st7789_135, true, 16);
   TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
   it.bus.fault = VIRTUAL_READY_FAILS;
   it.bus.fault_at = it.bus.bytes + 500;
@@ -142,6 +147,29 @@ static void test_an_error_of_a_started_transfer_is_told_by_the_next_call_once(vo
   TEST_ASSERT_EQUAL_UINT(1, was.calls);
 }
 
+/* Rows that would have gone on in the window of a failed transfer get one of their own: nobody knows where the controller is. */
+static void test_after_a_failed_transfer_the_window_is_opened_anew(void) {
+  static uint8_t pixels[135 * 2 * 8];
+  const fc_area first = {0, 0, 135, 8}, second = {0, 8, 135, 8};
+  unsigned asynchronous;
+  for (asynchronous = 0; asynchronous < 2; asynchronous++) {
+    unsigned long windows;
+    int error;
+    open_small(&fc_panel_st7789_135, asynchronous != 0, 16);
+    TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
+    it.bus.fault = asynchronous ? VIRTUAL_READY_FAILS : VIRTUAL_FAIL;
+    it.bus.fault_at = it.bus.bytes + 500;
+    error = fc_display_write_start(&it.display, &first, pixels, 270, NULL, NULL);
+    if (error == FC_OK) error = fc_display_wait(&it.display);
+    TEST_ASSERT_EQUAL_INT(VIRTUAL_FAULT_CODE, error);
+    end_of_faults();
+    windows = it.panel->windows;
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_write(&it.display, &second, pixels, 270));
+    TEST_ASSERT_EQUAL_UINT32(1, it.panel->windows - windows);
+    rig_close(&it);
+  }
+}
+
 /* `ready` is not called when write_start itself has returned the error. */
 static void test_ready_is_not_called_for_an_error_that_was_returned(void) {
   static uint8_t pixels[135 * 2 * 8];
@@ -149,18 +177,19 @@ static void test_ready_is_not_called_for_an_error_that_was_returned(void) {
   unsigned asynchronous;
   for (asynchronous = 0; asynchronous < 2; asynchronous++) {
     told was = {0, FC_OK};
-    open_small(&fc_panel_st7789_135, asynchronous != 0);
+    open_small(&fc_panel_st7789_135, asynchronous != 0, 16);
     TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
     it.bus.fault = VIRTUAL_FAIL;
     it.bus.fault_at = it.bus.bytes + 500;
-    TEST_ASSERT_EQUAL_INT(VIRTUAL_FAULT_CODE, fc_display_write_start(&it.display, &area, pixels, 270, tell, &was));
+    TEST_ASSERT_EQUAL_INT(VIRTUAL_FAULT_CODE,
+                          fc_display_write_start(&it.display, &area, pixels, 270, tell, &was));
     TEST_ASSERT_EQUAL_UINT(0, was.calls);
     rig_close(&it);
   }
 }
 
 static void test_a_clock_or_reset_that_fails(void) {
-  open_small(&fc_panel_st7789_135, false);
+  open_small(&fc_panel_st7789_135, false, 16);
   it.bus.configure_error = FC_ERR_UNSUPPORTED;
   TEST_ASSERT_EQUAL_INT(FC_ERR_UNSUPPORTED, rig_start(&it));
   TEST_ASSERT_EQUAL_UINT(0, it.bus.bytes);
@@ -173,7 +202,7 @@ static void test_a_clock_or_reset_that_fails(void) {
 }
 
 static void test_stop_tries_everything_and_tells_the_first_error(void) {
-  open_small(&fc_panel_st7789_135, false);
+  open_small(&fc_panel_st7789_135, false, 16);
   TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
   it.bus.fault = VIRTUAL_FAIL;
   it.bus.fault_at = it.bus.bytes;
@@ -181,9 +210,44 @@ static void test_stop_tries_everything_and_tells_the_first_error(void) {
   TEST_ASSERT_EQUAL_UINT_MESSAGE(0, it.bus.last_backlight, "the light is off all the same");
 }
 
+/* Neither starting nor stopping disturbs pixels that are under way: they wait. */
+static void test_start_and_stop_wait_for_what_is_under_way(void) {
+  static uint8_t pixels[135 * 2 * 8];
+  const fc_area area = {0, 0, 135, 8};
+  unsigned stop;
+  for (stop = 0; stop < 2; stop++) {
+    told was = {0, FC_OK};
+    unsigned long drawn;
+    open_small(&fc_panel_st7789_135, true, 16);
+    TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
+    drawn = it.panel->pixels;
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_write_start(&it.display, &area, pixels, 270, tell, &was));
+    TEST_ASSERT_EQUAL_INT(FC_OK, stop ? fc_panel_stop(&it.state) : rig_start(&it));
+    TEST_ASSERT_EQUAL_UINT(1, was.calls);
+    TEST_ASSERT_EQUAL_INT(FC_OK, was.error);
+    TEST_ASSERT_EQUAL_UINT32(135 * 8, it.panel->pixels - drawn);
+    TEST_ASSERT_EQUAL_UINT_MESSAGE(0, it.panel->errors, it.panel->error);
+    rig_close(&it);
+  }
+}
+
+static void test_stop_tells_the_error_of_what_was_under_way(void) {
+  static uint8_t pixels[135 * 2 * 8];
+  const fc_area area = {0, 0, 135, 8};
+  open_small(&fc_panel_st7789_135, true, 16);
+  TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
+  it.bus.fault = VIRTUAL_READY_FAILS;
+  it.bus.fault_at = it.bus.bytes + 500;
+  TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_write_start(&it.display, &area, pixels, 270, NULL, NULL));
+  virtual_bus_run(&it.bus);
+  end_of_faults();
+  TEST_ASSERT_EQUAL_INT(VIRTUAL_FAULT_CODE, fc_panel_stop(&it.state));
+  TEST_ASSERT_FALSE_MESSAGE(it.panel->on, "the panel is off all the same");
+}
+
 static void test_what_start_refuses_it_refuses_before_a_byte_is_sent(void) {
   fc_bus no_ops = {NULL, NULL};
-  open_small(&fc_panel_st7789_135, false);
+  open_small(&fc_panel_st7789_135, false, 16);
   TEST_ASSERT_EQUAL_INT(FC_ERR_NULL, fc_panel_start(NULL, it.record, &it.bus.bus, NULL, &it.display));
   TEST_ASSERT_EQUAL_INT(FC_ERR_NULL, fc_panel_start(&it.state, NULL, &it.bus.bus, NULL, &it.display));
   TEST_ASSERT_EQUAL_INT(FC_ERR_NULL, fc_panel_start(&it.state, it.record, NULL, NULL, &it.display));
@@ -197,7 +261,7 @@ static void test_what_start_refuses_it_refuses_before_a_byte_is_sent(void) {
 }
 
 static void test_pixel_clock_of_the_options(void) {
-  open_small(&fc_panel_st7789_135, false);
+  open_small(&fc_panel_st7789_135, false, 16);
   it.options.pixel_hz = 24000000;
   TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
   TEST_ASSERT_EQUAL_UINT32(24000000, it.panel->hz);
@@ -216,7 +280,10 @@ int main(void) {
   RUN_TEST(test_ready_with_an_error_at_any_byte);
   RUN_TEST(test_a_transfer_that_never_ends);
   RUN_TEST(test_an_error_of_a_started_transfer_is_told_by_the_next_call_once);
+  RUN_TEST(test_after_a_failed_transfer_the_window_is_opened_anew);
   RUN_TEST(test_ready_is_not_called_for_an_error_that_was_returned);
+  RUN_TEST(test_start_and_stop_wait_for_what_is_under_way);
+  RUN_TEST(test_stop_tells_the_error_of_what_was_under_way);
   RUN_TEST(test_stop_tries_everything_and_tells_the_first_error);
   return UNITY_END();
 }
