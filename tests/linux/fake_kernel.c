@@ -18,6 +18,7 @@ enum { SPIDEV_FILE = 4711 };
 static const char spidev_path[] = "/dev/spidev0.0";
 
 fake_kernel kernel;
+pthread_mutex_t fake_gate = PTHREAD_MUTEX_INITIALIZER;
 
 void fake_board(void) {
   static const char *const names[FAKE_LINES] = {"SPI_SCLK", "SPI_MOSI", "SPI_CE0", "GPIO5", "GPIO25", "GPIO27", "GPIO18", "GPIO4"};
@@ -115,6 +116,14 @@ static int message(const struct spi_ioc_transfer *transfer) {
   if (count > kernel.largest_message) kernel.largest_message = count;
   errno = count > kernel.limit ? EMSGSIZE : kernel.message_error != 0 && kernel.messages >= kernel.message_at ? kernel.message_error : 0;
   if (errno != 0) return -1;
+  if (kernel.gated) {
+    struct timespec end;
+    (void)clock_gettime(CLOCK_REALTIME, &end);
+    end.tv_sec += 10;
+    errno = pthread_mutex_timedlock(&fake_gate, &end) != 0 ? EIO : 0;
+    if (errno != 0) return -1;
+    (void)pthread_mutex_unlock(&fake_gate);
+  }
   if (kernel.slow) {
     const struct timespec millisecond = {0, 1000000};
     (void)nanosleep(&millisecond, NULL);

@@ -7,6 +7,7 @@
 #ifndef FIXCAST_TEST_FAKE_KERNEL_H
 #define FIXCAST_TEST_FAKE_KERNEL_H
 
+#include <pthread.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -41,6 +42,7 @@ typedef struct fake_kernel {
   size_t most;           /* a message sends no more than this and returns how many; 0: all */
   int message_error;     /* errno of the message number message_at, from 1, and of all later ones; 0: none fails */
   unsigned message_at;
+  bool gated;            /* a message waits for fake_gate, but ends with EIO after ten seconds */
   bool slow;             /* a message takes a millisecond before its bytes leave */
   uint32_t mode, hz, hz_max; /* registers; hz_max: above it the clock is refused with EINVAL */
   int line_error;        /* errno of setting or reading a line; 0: it works */
@@ -55,6 +57,7 @@ typedef struct fake_kernel {
 } fake_kernel;
 
 extern fake_kernel kernel;
+extern pthread_mutex_t fake_gate;
 
 /* A board as it should be: named lines on the first chip, none on the second; no panel model. */
 void fake_board(void);

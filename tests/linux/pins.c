@@ -1,5 +1,6 @@
 /*
- * What an emulated board's pins do, told to a virtual panel: QEMU's trace of a PL061 on standard input, what the panel makes of it on standard output.
+ * What an emulated board's pins do, told to a virtual panel: QEMU's trace of a PL061 on standard input, what the panel makes of it on
+ * standard output.
  *
  * pins PANEL SCK MOSI CS DC RESET LIGHT DIRECTORY      (the numbers of the lines)
  *   device PATH           first: the PL061 in QEMU's tree of objects
@@ -87,7 +88,10 @@ static void byte(bool data, uint8_t b) {
 }
 
 static void clock_rises(void) {
-  if (level[CS]) return wrong("the clock rises while the chip select is inactive");
+  if (level[CS]) {
+    wrong("the clock rises while the chip select is inactive");
+    return;
+  }
   if (bits == 0) dc_at_first_bit = level[DC];
   if (level[DC] != dc_at_first_bit) wrong("D/C changes within a byte");
   value = value << 1 | level[MOSI];

@@ -21,7 +21,8 @@ def compile_test(api, headers, program, compiler, *options):
     own = [path for path in sorted(PORT.glob("*.c")) if not path.name.startswith("gpio_v")] + [PORT / f"gpio_v{number}.c"]
     tests = [HERE / "test_port.c", HERE / "fake_kernel.c", HERE / f"fake_gpiod_v{number}.c"]
     virtual = sorted((ROOT / "tests" / "panel").glob("virtual_*.c"))
-    rest = [path for path in virtual if path.name != "virtual_bus.c"] + sorted((ROOT / "src" / "panel").glob("*.c")) + [ROOT / "src" / "core" / "error.c"]
+    rest = [path for path in virtual if path.name != "virtual_bus.c"]
+    rest += [*sorted((ROOT / "src" / "panel").glob("*.c")), ROOT / "src" / "core" / "error.c"]
     command = [compiler, "-std=c99", "-D_GNU_SOURCE", "-g", *WARNINGS, *options, f"-isystem{headers}", f"-I{ROOT / 'include'}", f"-I{PORT}",
                f"-I{ROOT / 'src' / 'core'}", f"-I{ROOT / 'tests' / 'unity'}", *own, *tests, *rest, "-o", program, "-pthread",
                *(f"-Wl,--wrap={name}" for name in WRAPPED)]
@@ -38,7 +39,7 @@ def main():
     plain, threads = work / f"port-{options.api}", work / f"port-{options.api}-threads"
     compile_test(options.api, headers, plain, "gcc", "-O1")
     compile_test(options.api, headers, threads, "clang", "-O1", "-fsanitize=thread")
-    valgrind = ["valgrind", "--quiet", "--leak-check=full", "--show-leak-kinds=all", "--errors-for-leak-kinds=all", "--track-fds=no", "--error-exitcode=9"]
+    valgrind = ["valgrind", "--quiet", "--leak-check=full", "--show-leak-kinds=all", "--errors-for-leak-kinds=all", "--error-exitcode=9"]
     failed = subprocess.run([*valgrind, plain]).returncode != 0
     failed |= subprocess.run([threads], stdout=subprocess.DEVNULL).returncode != 0
     print("failed" if failed else "passed, without leaks or data races")

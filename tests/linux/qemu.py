@@ -20,7 +20,6 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 PANEL, SCENE, WIDTH, HEIGHT = "st7789-240", ROOT / "host_sim" / "scenes" / "s1.nff", 240, 240
 WIRED = f"--panel {PANEL} --spi /dev/spidev0.0 --dc GPIO25 --reset GPIO27"
-SIGNALS = 50  # a boot; both APIs together: 100
 BUFSIZ = {"v1": 4096, "v2": 1000}  # spidev's default, and one of the kernel's command line, of which 896 are 7 times 128
 TRANSFER = {"v1": 4096, "v2": 896}
 
@@ -165,7 +164,8 @@ def check_sentences(verdict, tests, api):
         "label": (2, f"D/C line 'pinctrl:4': no line has this name; free are {free}; 'fixcast probe' lists all"),
         "device": (2, f"/dev/spidev9.9: open: No such file or directory; {missing}"),
         "null": (2, "/dev/null: SPI_IOC_RD_MODE32: Inappropriate ioctl for device; this is no spidev device: 'fixcast probe' lists them"),
-        "user_spi": (2, "/dev/spidev0.0: open: Permission denied; members of group 'spi' may open it: 'sudo usermod -aG spi NAME', then log in again"),
+        "user_spi": (2, "/dev/spidev0.0: open: Permission denied; members of group 'spi' may open it: "
+                        "'sudo usermod -aG spi NAME', then log in again"),
         "user_gpio": (2, "D/C line 'GPIO25': /dev/gpiochip0: open: Permission denied; members of group 'gpio' may open it: "
                          "'sudo usermod -aG gpio NAME', then log in again")}
     for name, (code, sentence) in expected.items():
@@ -174,7 +174,8 @@ def check_sentences(verdict, tests, api):
         verdict.check(exit_code == code and held == 0, f"{name}: exit {exit_code}, {held} lines held")
     text, code, held = tests.get("gone", ("", None, None))
     last = text.splitlines()[-1] if text else ""
-    verdict.check(re.fullmatch(r"fixcast: /dev/spidev0\.0: SPI_IOC_MESSAGE of \d+ bytes, after \d+ of \d+: Cannot send after transport endpoint shutdown; "
+    verdict.check(re.fullmatch(r"fixcast: /dev/spidev0\.0: SPI_IOC_MESSAGE of \d+ bytes, after \d+ of \d+: "
+                               r"Cannot send after transport endpoint shutdown; "
                                r"the device has gone: is its driver still bound, the overlay still loaded\?", last), f"gone: said {last!r}")
     verdict.check(code == 2 and held == 0, f"gone: exit {code}, {held} lines held")
     text, code, held = tests.get("probe", ("", None, None))
@@ -229,10 +230,10 @@ def check_signals(verdict, console, events, signals):
     return len(ends), len(partial)
 
 
-def test(api, work, simulator, pins, seed):
+def test(api, work, simulator, pins, seed, count):
     parts = Parts(work)
     chance = random.Random(seed)
-    signals = [(chance.randrange(20000, 1100000), chance.choice(("INT", "INT", "TERM"))) for _ in range(SIGNALS)]
+    signals = [(chance.randrange(20000, 1100000), chance.choice(("INT", "INT", "TERM"))) for _ in range(count)]
     verdict = Verdict()
     place = work / api
     with board.Board(place, parts, guest_files(api, parts, work, signals), PANEL, pins, f"spidev.bufsiz={BUFSIZ[api]}") as machine:
@@ -270,6 +271,7 @@ def main():
     tester.add_argument("--simulator", type=pathlib.Path, required=True)
     tester.add_argument("--pins", type=pathlib.Path, required=True, help="the program that pins.c makes")
     tester.add_argument("--seed", type=int, default=7)
+    tester.add_argument("--signals", type=int, default=50, help="runs that are told to end; both APIs together: 100")
     for command in (builder, tester):
         command.add_argument("--work", type=pathlib.Path, required=True)
     options = parser.parse_args()
@@ -278,7 +280,7 @@ def main():
     if options.command == "build":
         build(work, options.source.resolve(), options.cli11, options.tinyobj)
         return 0
-    return test(options.api, work, options.simulator.resolve(), options.pins.resolve(), options.seed)
+    return test(options.api, work, options.simulator.resolve(), options.pins.resolve(), options.seed, options.signals)
 
 
 sys.exit(main())

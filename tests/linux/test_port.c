@@ -1,5 +1,6 @@
 /* The Linux port over a fake kernel: what arrives at the panel, and each thing that can go wrong, with its sentence and what is left afterwards. */
 #include <errno.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -103,7 +104,9 @@ static void test_transfers_are_as_large_as_bufsiz_allows(void) {
   static const struct {
     const char *bufsiz;
     size_t limit, largest;
-  } cases[] = {{"4096\n", 4096, 4096}, {"1000\n", 896, 896}, {"65536\n", 65536, SIDE * 2 * STRIP}, {NULL, 4096, 4096}, {"\n", 4096, 4096}, {"100\n", 100, 100}};
+  } cases[] = {
+      {"4096\n", 4096, 4096}, {"1000\n", 896, 896}, {"65536\n", 65536, SIDE * 2 * STRIP}, {NULL, 4096, 4096}, {"\n", 4096, 4096},
+      {"100\n", 100, 100}};
   for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
     setUp();
     kernel.bufsiz = cases[i].bufsiz;
@@ -153,6 +156,24 @@ static void test_what_comes_after_a_transfer_waits_for_it(void) {
   TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->data_start(interface.context, picture, 9600, count_ready, &ready));
   TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->reset(interface.context, true));
   TEST_ASSERT_EQUAL_INT_MESSAGE(4, ready, "reset waits too");
+}
+
+static void test_a_transfer_is_under_way_while_the_caller_goes_on(void) {
+  const uint8_t write = 0x2C;
+  int ready = 0;
+  fc_bus interface;
+  open_bus();
+  TEST_ASSERT_EQUAL_INT(FC_OK, start());
+  interface = fc_linux_bus_ops(bus);
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->command(interface.context, &write, 1));
+  kernel.gated = true;
+  (void)pthread_mutex_lock(&fake_gate);
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->data_start(interface.context, picture, FRAME_BYTES, count_ready, &ready));
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, ready, "data_start returned although the transfer cannot have ended"); /* it waits for the gate */
+  (void)pthread_mutex_unlock(&fake_gate);
+  TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->wait(interface.context));
+  TEST_ASSERT_EQUAL_INT(1, ready);
+  assert_shown();
 }
 
 static void test_closing_waits_for_the_transfer_under_way(void) {
@@ -266,8 +287,8 @@ static void test_no_such_line_names_those_that_are_free(void) {
                       "expander:3; 'fixcast probe' lists all");
   assert_line_refused("soc-gpio:8", FC_LINUX_ERROR(0), "D/C line 'soc-gpio:8': chip 'soc-gpio' has offsets 0 to 7 only");
   assert_line_refused("4", FC_LINUX_ERROR(0),
-                      "D/C line '4': no line has this name; free are SPI_SCLK, SPI_MOSI, GPIO5, GPIO25, GPIO27, GPIO18, GPIO4, expander:0 to expander:3; "
-                      "'fixcast probe' lists all");
+                      "D/C line '4': no line has this name; free are SPI_SCLK, SPI_MOSI, GPIO5, GPIO25, GPIO27, GPIO18, GPIO4, expander:0 to "
+                      "expander:3; 'fixcast probe' lists all");
 }
 
 static void test_a_name_or_label_that_is_not_unique_is_refused(void) {
@@ -335,13 +356,13 @@ static void fails_in_mid_frame(int number, const char *sentence) {
 }
 
 static void test_an_io_error_in_mid_frame(void) {
-  fails_in_mid_frame(EIO, "/dev/spidev0.0: SPI_IOC_MESSAGE of 4096 bytes, after 0 of 7680: Input/output error; try a slower clock (--hz) and look at the "
-                          "kernel's log (dmesg)");
+  fails_in_mid_frame(EIO, "/dev/spidev0.0: SPI_IOC_MESSAGE of 4096 bytes, after 0 of 7680: Input/output error; "
+                          "try a slower clock (--hz) and look at the kernel's log (dmesg)");
 }
 
 static void test_a_device_that_vanishes_in_mid_frame(void) {
-  fails_in_mid_frame(ESHUTDOWN, "/dev/spidev0.0: SPI_IOC_MESSAGE of 4096 bytes, after 0 of 7680: Cannot send after transport endpoint shutdown; the device "
-                                "has gone: is its driver still bound, the overlay still loaded?");
+  fails_in_mid_frame(ESHUTDOWN, "/dev/spidev0.0: SPI_IOC_MESSAGE of 4096 bytes, after 0 of 7680: Cannot send after transport endpoint shutdown; "
+                                "the device has gone: is its driver still bound, the overlay still loaded?");
 }
 
 static void test_a_message_that_is_too_long_after_all(void) {
@@ -436,7 +457,8 @@ static void count_spi(void *context, const fc_linux_node *node) {
 }
 
 static void count_chip(void *context, const fc_linux_node *node, const char *label, unsigned lines) {
-  *(int *)context += 10 * (label != NULL) + 100 * (strcmp(node->path, "/dev/gpiochip0") == 0 && lines == FAKE_LINES && strcmp(node->group, "gpio") == 0);
+  const bool first = strcmp(node->path, "/dev/gpiochip0") == 0 && lines == FAKE_LINES && strcmp(node->group, "gpio") == 0;
+  *(int *)context += 10 * (label != NULL) + 100 * first;
 }
 
 static void count_line(void *context, unsigned offset, const char *name, const char *consumer, bool used, bool output) {
@@ -478,6 +500,7 @@ int main(void) {
   RUN_TEST(test_transfers_are_as_large_as_bufsiz_allows);
   RUN_TEST(test_short_transfers_go_on_where_they_ended);
   RUN_TEST(test_what_comes_after_a_transfer_waits_for_it);
+  RUN_TEST(test_a_transfer_is_under_way_while_the_caller_goes_on);
   RUN_TEST(test_closing_waits_for_the_transfer_under_way);
   RUN_TEST(test_mode_keeps_what_the_device_tree_says_and_the_clock_is_read_back);
   RUN_TEST(test_only_the_lines_that_are_named_are_requested);

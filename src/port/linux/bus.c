@@ -125,7 +125,8 @@ static int open_bus(fc_linux_bus *bus, const fc_linux_wiring *wiring) {
   if (error == FC_OK) {
     const int number = fc_linux_sender_begin(&bus->sender);
     if (number != 0) {
-      error = fc_linux_fail(&bus->error, number, "cannot start a thread for transfers: %s; end other programs or raise 'ulimit -u'", strerror(number));
+      error = fc_linux_fail(&bus->error, number, "cannot start a thread for transfers: %s; end other programs or raise 'ulimit -u'",
+                            strerror(number));
     }
   }
   if (error != FC_OK) close_devices(bus);

@@ -129,7 +129,8 @@ static uint64_t now_ns(void) {
 static int send_failed(const fc_linux_spi *spi, int number, size_t sent, size_t count, size_t chunk, fc_linux_error *error) {
   const char *advice = "try a slower clock (--hz) and look at the kernel's log (dmesg)";
   if (number == EMSGSIZE) advice = "spidev takes less at a time than its parameter bufsiz says: start again, or boot with spidev.bufsiz=65536";
-  if (number == ESHUTDOWN || number == ENODEV || number == ENXIO) advice = "the device has gone: is its driver still bound, the overlay still loaded?";
+  if (number == ESHUTDOWN || number == ENODEV || number == ENXIO)
+    advice = "the device has gone: is its driver still bound, the overlay still loaded?";
   return fc_linux_fail(error, number, "%s: SPI_IOC_MESSAGE of %lu bytes, after %lu of %lu: %s; %s", spi->path, (unsigned long)chunk,
                        (unsigned long)sent, (unsigned long)count, strerror(number), advice);
 }
