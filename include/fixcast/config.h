@@ -10,11 +10,11 @@
 #include <string.h>
 
 /*
- * FC_ROM: attribute of constant tables. FC_READ(to, from, bytes): copies an object of constant data to RAM; both are pointers to its
- * type.
+ * FC_ROM: attribute of constant tables. FC_READ(to, from, bytes): copies constant data to RAM. FC_LOAD(to, from): one object, both
+ * pointers to its type.
  *
- * Everything constant that the core looks at (scenes, kinds of shape) is read through FC_READ, so that chips
- * whose flash is not in the data address space only need these two. Default: AVR's program memory on AVR,
+ * Everything constant that the core looks at (scenes, kinds of shape) is read through these, so that chips
+ * whose flash is not in the data address space only need the first two. Default: AVR's program memory on AVR,
  * plain memory elsewhere. Define FC_ROM_FAR with them where constant data cannot be read through a pointer.
  */
 #if defined(__AVR__) && !defined(FC_READ)
@@ -26,8 +26,11 @@
 #ifndef FC_ROM
 #define FC_ROM
 #endif
-#ifndef FC_READ
-#define FC_READ(to, from, bytes) ((void)(*(to) = *(from))) /* of a type: short ones need no call */
+#ifdef FC_READ
+#define FC_LOAD(to, from) FC_READ((to), (from), sizeof *(to))
+#else
+#define FC_READ(to, from, bytes) ((void)memcpy((to), (from), (bytes)))
+#define FC_LOAD(to, from) ((void)(*(to) = *(from))) /* a short object needs no call */
 #endif
 
 /* A pointer that is known to be a multiple of 4, or of 2. */

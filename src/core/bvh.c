@@ -276,7 +276,7 @@ static bool meets(const sweep *s, const fc_bvh_node *node) {
 /* A node where it lies, or its copy in `to`. */
 static inline const fc_bvh_node *node_at(const fc_bvh *bvh, uint32_t node, fc_bvh_node *to) {
 #ifdef FC_ROM_FAR
-  FC_READ(to, bvh->nodes + (node - 1), sizeof *to);
+  FC_LOAD(to, bvh->nodes + (node - 1));
   return to;
 #else
   (void)to;
@@ -287,7 +287,7 @@ static inline const fc_bvh_node *node_at(const fc_bvh *bvh, uint32_t node, fc_bv
 static uint16_t read_order(const fc_bvh *bvh, uint16_t at) {
 #ifdef FC_ROM_FAR
   uint16_t primitive;
-  FC_READ(&primitive, bvh->order + at, sizeof primitive);
+  FC_LOAD(&primitive, bvh->order + at);
   return primitive;
 #else
   return bvh->order[at];

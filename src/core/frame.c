@@ -31,7 +31,7 @@ FC_COLD size_t fc_frame_memory(const fc_scene *scene_rom, int *error) {
   int status = fc_scene_check(scene_rom);
   if (error != NULL) *error = status;
   if (status != FC_OK) return 0;
-  FC_READ(&scene, scene_rom, sizeof scene);
+  FC_LOAD(&scene, scene_rom);
   return memory_of(&scene);
 }
 
@@ -74,7 +74,7 @@ static FC_COLD int place_lights(const fc_frame *frame, int64_t *to) {
   uint16_t i;
   for (i = 0; i < frame->scene.light_count; i++) {
     fc_light light;
-    FC_READ(&light, frame->scene.lights + i, sizeof light);
+    FC_LOAD(&light, frame->scene.lights + i);
     if (light.directional)
       place_far(&frame->view, &light.position, to + 3 * (size_t)i);
     else if (!fc_view_point(&frame->view, &light.position, light.exponent, to + 3 * (size_t)i)) return FC_ERR_LIGHT;
@@ -136,7 +136,7 @@ static FC_COLD void set_light(fc_frame *frame) {
   frame->light = FC_LIGHT_MANY;
   if (frame->scene.light_count == 0) frame->light = FC_LIGHT_NONE;
   if (frame->scene.light_count != 1 || frame->options.offset_rule != FC_OFFSET_EXACT) return;
-  FC_READ(&light, frame->scene.lights, sizeof light);
+  FC_LOAD(&light, frame->scene.lights);
   if (light.inverse_square || light.intensity_exponent > 14 || fc_abs64(frame->lights[0]) > reach ||
       fc_abs64(frame->lights[1]) > reach || fc_abs64(frame->lights[2]) > reach)
     return;
@@ -189,8 +189,8 @@ FC_COLD int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_came
   bytes = fc_frame_memory(scene, &error);
   if (error != FC_OK) return error;
   if (bytes > 0 && (memory == NULL || memory_bytes < bytes || !aligned(memory))) return FC_ERR_MEMORY;
-  FC_READ(&frame->scene, scene, sizeof frame->scene);
-  FC_READ(&camera, camera_rom, sizeof camera);
+  FC_LOAD(&frame->scene, scene);
+  FC_LOAD(&camera, camera_rom);
   frame->memory = memory;
   frame->width = width;
   frame->height = height;

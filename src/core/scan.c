@@ -448,7 +448,7 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
   uint16_t diffuse[3], ambient[3];
   uint8_t i, level[3];
 #ifdef FC_ROM_FAR
-  FC_READ(&material, frame->scene.materials + scan->form->material, sizeof material);
+  FC_LOAD(&material, frame->scene.materials + scan->form->material);
 #else
   material = frame->scene.materials[scan->form->material];
 #endif
@@ -544,8 +544,8 @@ static FC_COLD void fill_background(const fc_frame *frame, uint16_t y, uint16_t 
     fc_target drawn = *target;
     fc_sky sky;
     fc_sky_kind kind;
-    FC_READ(&sky, frame->scene.sky, sizeof sky);
-    FC_READ(&kind, sky.kind, sizeof kind);
+    FC_LOAD(&sky, frame->scene.sky);
+    FC_LOAD(&kind, sky.kind);
     drawn.format = format;
     kind.fill(frame, &sky, y, rows, &drawn);
     return;
