@@ -108,8 +108,8 @@ const char *rig_verdict(rig *it) {
       const uint16_t at_y = it->options.half_turn ? (uint16_t)(it->can.height - 1 - y) : y;
       const uint32_t expected = rig_colour(it, x, y), seen = virtual_shown(&glass, at_x, at_y);
       if (expected != seen) {
-        snprintf(text, sizeof text, "%s: the glass shows %06lX at (%u, %u), expected %06lX", it->record->name, (unsigned long)seen, at_x, at_y,
-                 (unsigned long)expected);
+        snprintf(text, sizeof text, "%s: the glass shows %06lX at (%u, %u), expected %06lX", it->record->name,
+                 (unsigned long)seen, at_x, at_y, (unsigned long)expected);
         return text;
       }
     }

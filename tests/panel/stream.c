@@ -35,15 +35,20 @@ static int send(void *context, uint32_t what, const uint8_t *bytes, size_t count
   for (i = 0; i < count; i++) mix(context, what | bytes[i]);
   return FC_OK;
 }
-static int command(void *context, const uint8_t *bytes, size_t count) { return send(context, 0, bytes, count); }
-static int data(void *context, const uint8_t *bytes, size_t count) { return send(context, 0x100, bytes, count); }
+static int command(void *context, const uint8_t *bytes, size_t count) {
+  return send(context, 0, bytes, count);
+}
+static int data(void *context, const uint8_t *bytes, size_t count) {
+  return send(context, 0x100, bytes, count);
+}
 static int reset(void *context, bool active) {
   mix(context, active ? 0x201 : 0x200);
   return FC_OK;
 }
 static void delay_us(void *context, uint32_t us) { mix(context, UINT32_C(0x80000000) | us); }
 
-static const fc_bus_ops ops = {.configure = configure, .command = command, .data = data, .reset = reset, .delay_us = delay_us};
+static const fc_bus_ops ops = {
+    .configure = configure, .command = command, .data = data, .reset = reset, .delay_us = delay_us};
 
 static void put_line(const char *rom_name, uint32_t hash) {
   int8_t digit;
@@ -63,10 +68,14 @@ static int run(const fc_panel *panel, uint8_t half_turn, uint8_t twelve_bit) {
   fc_display display;
   fc_display_capabilities can;
   fc_panel record;
+  fc_area off = {0, 0, 8, 0};
   uint16_t y;
   int error = fc_panel_start(&state, panel, &bus, &options, &display);
   if (error != FC_OK) return error;
   fc_display_capabilities_get(&display, &can);
+  off.x = can.width, off.height = can.y_align;
+  if (fc_display_write(&display, &off, row, ROW_BYTES) != FC_ERR_AREA)
+    return FC_ERR_AREA; /* with an int of 16 bits too */
   for (y = 0; error == FC_OK && y < can.height; y = (uint16_t)(y + can.y_align)) {
     const fc_area area = {0, y, can.width, can.y_align};
     uint16_t i;

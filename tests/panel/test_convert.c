@@ -42,24 +42,31 @@ static uint32_t pixel_at(const uint8_t *rows, size_t pitch, uint32_t i, uint32_t
 static uint32_t luma(uint32_t p) { return 41 * (p >> 11) + 39 * (p >> 5 & 63) + 16 * (p & 31); }
 
 /* Rows of `width` pixels at (x, y), each bit of the result set on its own; MONO8 for whole pages. */
-static void oracle(uint8_t format, uint32_t x, uint32_t y, uint32_t width, uint32_t rows, const uint8_t *source, size_t source_pitch,
-                   uint8_t *target, size_t target_pitch) {
+static void oracle(uint8_t format, uint32_t x, uint32_t y, uint32_t width, uint32_t rows,
+                   const uint8_t *source, size_t source_pitch, uint8_t *target, size_t target_pitch) {
   uint32_t i, row, k;
   for (row = 0; row < rows; row++) {
     const size_t line = (format == FC_DISPLAY_MONO8 ? row / 8 : row) * target_pitch;
-    for (k = 0; k < fc_display_row_bytes(format, (uint16_t)width) && (format != FC_DISPLAY_MONO8 || row % 8 == 0); k++) target[line + k] = 0;
+    for (k = 0;
+         k < fc_display_row_bytes(format, (uint16_t)width) && (format != FC_DISPLAY_MONO8 || row % 8 == 0);
+         k++)
+      target[line + k] = 0;
     for (i = 0; i < width; i++) {
       const uint32_t p = pixel_at(source, source_pitch, i, row), at_x = x + i, at_y = y + row;
-      const uint32_t colour[3] = {level(p >> 11, 31, 15, at_x, at_y), level(p >> 5 & 63, 63, 15, at_x, at_y), level(p & 31, 31, 15, at_x, at_y)};
+      const uint32_t colour[3] = {level(p >> 11, 31, 15, at_x, at_y), level(p >> 5 & 63, 63, 15, at_x, at_y),
+                                  level(p & 31, 31, 15, at_x, at_y)};
       switch (format) {
         case FC_DISPLAY_RGB565:
           target[line + 2 * i] = (uint8_t)(p / 256);
           target[line + 2 * i + 1] = (uint8_t)p;
           break;
         case FC_DISPLAY_RGB444:
-          for (k = 0; k < 3; k++) target[line + (3 * i + k) / 2] |= (uint8_t)(colour[k] << ((3 * i + k) % 2 ? 0 : 4));
+          for (k = 0; k < 3; k++)
+            target[line + (3 * i + k) / 2] |= (uint8_t)(colour[k] << ((3 * i + k) % 2 ? 0 : 4));
           break;
-        case FC_DISPLAY_GREY4: target[line + i / 2] |= (uint8_t)(level(luma(p), 4224, 15, at_x, at_y) << (i % 2 ? 0 : 4)); break;
+        case FC_DISPLAY_GREY4:
+          target[line + i / 2] |= (uint8_t)(level(luma(p), 4224, 15, at_x, at_y) << (i % 2 ? 0 : 4));
+          break;
         default: target[line + i] |= (uint8_t)(level(luma(p), 4224, 1, at_x, at_y) << (row % 8)); break;
       }
     }
@@ -74,7 +81,9 @@ static void fill(uint32_t seed) {
   }
 }
 
-static void assert_same(const char *what) { TEST_ASSERT_EQUAL_HEX8_ARRAY_MESSAGE(expected, to, sizeof to, what); }
+static void assert_same(const char *what) {
+  TEST_ASSERT_EQUAL_HEX8_ARRAY_MESSAGE(expected, to, sizeof to, what);
+}
 
 /* All 65536 pixels at places of the matrix. */
 static void test_each_pixel_at_each_place_is_as_described(void) {
@@ -86,8 +95,11 @@ static void test_each_pixel_at_each_place_is_as_described(void) {
         uint8_t one[2], got[2] = {0, 0}, want[2] = {0, 0};
         one[0] = (uint8_t)(p >> 8), one[1] = (uint8_t)p;
         x = place % 8;
-        y = format == FC_DISPLAY_MONO8 ? 0 : place / 8; /* one bit: the others stay, which another test looks at */
-        if (fc_display_convert(format, (uint16_t)x, (uint16_t)y, 1, 1, one, 2, got, 2) != FC_OK) TEST_FAIL_MESSAGE("refused");
+        y = format == FC_DISPLAY_MONO8
+                ? 0
+                : place / 8; /* one bit: the others stay, which another test looks at */
+        if (fc_display_convert(format, (uint16_t)x, (uint16_t)y, 1, 1, one, 2, got, 2) != FC_OK)
+          TEST_FAIL_MESSAGE("refused");
         oracle(format, x, y, 1, 1, one, 2, want, 2);
         if (memcmp(got, want, 2) != 0) {
           TEST_ASSERT_EQUAL_HEX8_ARRAY_MESSAGE(want, got, 2, "one pixel");
@@ -106,12 +118,14 @@ static void test_rows_anywhere_are_as_described(void) {
     for (w = 0; w < sizeof widths / sizeof *widths; w++) {
       for (x = 0; x < sizeof xs / sizeof *xs; x++) {
         for (y = 0; y < sizeof ys / sizeof *ys; y++) {
-          const uint16_t rows = (uint16_t)(1 + (w * 5 + x * 3 + y) % ROWS), top = (uint16_t)(ys[y] + (format == FC_DISPLAY_MONO8 ? 0 : x));
+          const uint16_t rows = (uint16_t)(1 + (w * 5 + x * 3 + y) % ROWS),
+                         top = (uint16_t)(ys[y] + (format == FC_DISPLAY_MONO8 ? 0 : x));
           if (format == FC_DISPLAY_MONO8 && rows == 1) continue;
           fill((uint32_t)(w * 100 + x * 10 + y));
           memset(to, 0xA5, sizeof to); /* what is not written stays */
           memset(expected, 0xA5, sizeof expected);
-          TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_convert(format, xs[x], top, widths[w], rows, from, WIDTH * 2, to, WIDTH * 2));
+          TEST_ASSERT_EQUAL_INT(
+              FC_OK, fc_display_convert(format, xs[x], top, widths[w], rows, from, WIDTH * 2, to, WIDTH * 2));
           oracle(format, xs[x], top, widths[w], rows, from, WIDTH * 2, expected, WIDTH * 2);
           assert_same("rows");
         }
@@ -130,10 +144,12 @@ static void test_rows_one_by_one_are_the_whole(void) {
     fill(format);
     memset(to, 0x5A, sizeof to);
     memset(expected, 0x5A, sizeof expected);
-    TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_convert(format, 3, 8, WIDTH, ROWS, from, WIDTH * 2, expected, pitch));
+    TEST_ASSERT_EQUAL_INT(FC_OK,
+                          fc_display_convert(format, 3, 8, WIDTH, ROWS, from, WIDTH * 2, expected, pitch));
     for (row = 0; row < ROWS; row++) {
-      TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_convert(format, 3, (uint16_t)(8 + row), WIDTH, 1, from + row * WIDTH * 2, WIDTH * 2,
-                                                      to + row / rows_a_step * pitch, pitch));
+      TEST_ASSERT_EQUAL_INT(
+          FC_OK, fc_display_convert(format, 3, (uint16_t)(8 + row), WIDTH, 1, from + row * WIDTH * 2,
+                                    WIDTH * 2, to + row / rows_a_step * pitch, pitch));
     }
     assert_same("row by row");
   }
@@ -144,7 +160,8 @@ static void test_a_single_row_of_one_bit_leaves_the_other_bits_alone(void) {
   for (i = 0; i < 8; i++) {
     memset(from, i & 1 ? 0xFF : 0, WIDTH * 2);
     memset(to, 0x33, WIDTH);
-    TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_convert(FC_DISPLAY_MONO8, 0, i, WIDTH, 1, from, WIDTH * 2, to, WIDTH));
+    TEST_ASSERT_EQUAL_INT(FC_OK,
+                          fc_display_convert(FC_DISPLAY_MONO8, 0, i, WIDTH, 1, from, WIDTH * 2, to, WIDTH));
     TEST_ASSERT_EQUAL_HEX8(i & 1 ? 0x33 | 1 << i : 0x33 & ~(1 << i), to[5]);
   }
 }
@@ -172,14 +189,17 @@ static void test_dither_keeps_black_white_and_the_mean(void) {
       for (x = 0; x < 8; x++) {
         const uint8_t one[2] = {(uint8_t)(p >> 8), (uint8_t)p};
         uint8_t four = 0, bit = 0;
-        TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_convert(FC_DISPLAY_GREY4, (uint16_t)x, (uint16_t)y, 1, 1, one, 2, &four, 1));
-        TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_convert(FC_DISPLAY_MONO8, (uint16_t)x, (uint16_t)y, 1, 1, one, 2, &bit, 1));
+        TEST_ASSERT_EQUAL_INT(
+            FC_OK, fc_display_convert(FC_DISPLAY_GREY4, (uint16_t)x, (uint16_t)y, 1, 1, one, 2, &four, 1));
+        TEST_ASSERT_EQUAL_INT(
+            FC_OK, fc_display_convert(FC_DISPLAY_MONO8, (uint16_t)x, (uint16_t)y, 1, 1, one, 2, &bit, 1));
         sum += four >> 4;
         white += bit >> y;
       }
     }
     /* |sum / 64 - 15 v / m| <= 1 / 128, times 128 m */
-    TEST_ASSERT_TRUE((sum * 2 + 1) * 4224 >= 128 * 15 * luma(p) && sum * 2 * 4224 <= 128 * 15 * luma(p) + 4224);
+    TEST_ASSERT_TRUE((sum * 2 + 1) * 4224 >= 128 * 15 * luma(p) &&
+                     sum * 2 * 4224 <= 128 * 15 * luma(p) + 4224);
     TEST_ASSERT_TRUE((white * 2 + 1) * 4224 >= 128 * luma(p) && white * 2 * 4224 <= 128 * luma(p) + 4224);
     if (grey == 0) TEST_ASSERT_EQUAL_UINT32(0, sum + white);
     if (grey == 31) TEST_ASSERT_EQUAL_UINT32(64 * 16, sum + white);

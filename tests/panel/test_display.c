@@ -25,7 +25,8 @@ static int sink_write(void *context, const fc_area *area, const void *pixels, si
   last_pitch = pitch_bytes;
   return answer;
 }
-static int sink_write_start(void *context, const fc_area *area, const void *pixels, size_t pitch_bytes, fc_ready *ready, void *ready_context) {
+static int sink_write_start(void *context, const fc_area *area, const void *pixels, size_t pitch_bytes,
+                            fc_ready *ready, void *ready_context) {
   (void)context, (void)area, (void)pixels, (void)pitch_bytes, (void)ready, (void)ready_context;
   starts++;
   return answer;
@@ -52,7 +53,8 @@ static const fc_display plain = {&plain_ops, NULL}, rich = {&rich_ops, NULL};
 static const uint8_t pixels[40 * 2 * 16];
 
 void setUp(void) {
-  const fc_display_capabilities all = {.width = 40, .height = 16, .format = FC_DISPLAY_RGB565, .x_align = 1, .y_align = 1};
+  const fc_display_capabilities all = {
+      .width = 40, .height = 16, .format = FC_DISPLAY_RGB565, .asynchronous = 1, .x_align = 1, .y_align = 1};
   can = all;
   writes = starts = waits = 0;
   answer = FC_OK;
@@ -100,7 +102,8 @@ static void test_a_pitch_below_a_row_is_refused(void) {
   static const struct {
     uint8_t format;
     size_t row; /* of 20 pixels */
-  } cases[] = {{FC_DISPLAY_RGB565, 40}, {FC_DISPLAY_RGB444, 30}, {FC_DISPLAY_GREY4, 10}, {FC_DISPLAY_MONO8, 20}};
+  } cases[] = {
+      {FC_DISPLAY_RGB565, 40}, {FC_DISPLAY_RGB444, 30}, {FC_DISPLAY_GREY4, 10}, {FC_DISPLAY_MONO8, 20}};
   size_t i;
   for (i = 0; i < sizeof cases / sizeof *cases; i++) {
     can.format = cases[i].format;
@@ -156,6 +159,15 @@ static void test_without_write_start_ready_is_called_before_it_returns(void) {
   TEST_ASSERT_EQUAL_INT(-55, fc_display_write_start(&plain, &area, pixels, 8, ready, &calls));
   TEST_ASSERT_EQUAL_UINT_MESSAGE(1, calls, "an error is returned, not told to ready");
 }
+static void test_a_display_that_is_not_asynchronous_now_gets_write(void) {
+  const fc_area area = {0, 0, 4, 4};
+  calls = 0;
+  can.asynchronous = 0;
+  TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_write_start(&rich, &area, pixels, 8, ready, &calls));
+  TEST_ASSERT_EQUAL_UINT(0, starts);
+  TEST_ASSERT_EQUAL_UINT(1, writes);
+  TEST_ASSERT_EQUAL_UINT(1, calls);
+}
 static void test_talents_that_are_missing_say_so(void) {
   TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_wait(&plain));
   TEST_ASSERT_EQUAL_INT(FC_ERR_UNSUPPORTED, fc_display_flush(&plain));
@@ -184,6 +196,7 @@ int main(void) {
   RUN_TEST(test_null_is_refused);
   RUN_TEST(test_what_is_accepted_arrives_as_it_was);
   RUN_TEST(test_without_write_start_ready_is_called_before_it_returns);
+  RUN_TEST(test_a_display_that_is_not_asynchronous_now_gets_write);
   RUN_TEST(test_talents_that_are_missing_say_so);
   RUN_TEST(test_codes_of_the_sink_come_out_unchanged);
   return UNITY_END();

@@ -72,8 +72,11 @@ static void every_byte(virtual_fault fault, const fc_panel *panel) {
   all_bytes = it.bus.bytes;
   TEST_ASSERT_TRUE(start_bytes > 5 && all_bytes > start_bytes + 200);
   rig_close(&it);
-  for (n = 0; n < all_bytes; n++) TEST_ASSERT_TRUE_MESSAGE(try_fault(panel, fault, n, start_bytes), "the fault was not told");
-  TEST_ASSERT_FALSE_MESSAGE(try_fault(panel, fault == VIRTUAL_STUCK ? VIRTUAL_NO_FAULT : fault, all_bytes + 1, start_bytes), "a fault after the end");
+  for (n = 0; n < all_bytes; n++)
+    TEST_ASSERT_TRUE_MESSAGE(try_fault(panel, fault, n, start_bytes), "the fault was not told");
+  TEST_ASSERT_FALSE_MESSAGE(
+      try_fault(panel, fault == VIRTUAL_STUCK ? VIRTUAL_NO_FAULT : fault, all_bytes + 1, start_bytes),
+      "a fault after the end");
 }
 
 static void test_a_transfer_that_fails_at_any_byte(void) {
@@ -106,7 +109,9 @@ static void test_a_transfer_that_fails_at_any_byte_of_an_oled(void) {
   oled_fails_at_any_byte(&fc_panel_ssd1306);
   oled_fails_at_any_byte(&fc_panel_ssd0323);
 }
-static void test_ready_with_an_error_at_any_byte(void) { every_byte(VIRTUAL_READY_FAILS, &fc_panel_st7789_135); }
+static void test_ready_with_an_error_at_any_byte(void) {
+  every_byte(VIRTUAL_READY_FAILS, &fc_panel_st7789_135);
+}
 static void test_a_transfer_that_never_ends(void) {
   TEST_ASSERT_TRUE(try_fault(&fc_panel_st7789_135, VIRTUAL_STUCK, 0, 0));
   TEST_ASSERT_TRUE(try_fault(&fc_panel_ssd1351, VIRTUAL_STUCK, 0, 0));
@@ -176,7 +181,8 @@ static void test_ready_is_not_called_for_an_error_that_was_returned(void) {
     TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
     it.bus.fault = VIRTUAL_FAIL;
     it.bus.fault_at = it.bus.bytes + 500;
-    TEST_ASSERT_EQUAL_INT(VIRTUAL_FAULT_CODE, fc_display_write_start(&it.display, &area, pixels, 270, tell, &was));
+    TEST_ASSERT_EQUAL_INT(VIRTUAL_FAULT_CODE,
+                          fc_display_write_start(&it.display, &area, pixels, 270, tell, &was));
     TEST_ASSERT_EQUAL_UINT(0, was.calls);
     rig_close(&it);
   }
@@ -202,6 +208,41 @@ static void test_stop_tries_everything_and_tells_the_first_error(void) {
   it.bus.fault_at = it.bus.bytes;
   TEST_ASSERT_EQUAL_INT(VIRTUAL_FAULT_CODE, fc_panel_stop(&it.state));
   TEST_ASSERT_EQUAL_UINT_MESSAGE(0, it.bus.last_backlight, "the light is off all the same");
+}
+
+/* Neither starting nor stopping disturbs pixels that are under way: they wait. */
+static void test_start_and_stop_wait_for_what_is_under_way(void) {
+  static uint8_t pixels[135 * 2 * 8];
+  const fc_area area = {0, 0, 135, 8};
+  unsigned stop;
+  for (stop = 0; stop < 2; stop++) {
+    told was = {0, FC_OK};
+    unsigned long drawn;
+    open_small(&fc_panel_st7789_135, true, 16);
+    TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
+    drawn = it.panel->pixels;
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_write_start(&it.display, &area, pixels, 270, tell, &was));
+    TEST_ASSERT_EQUAL_INT(FC_OK, stop ? fc_panel_stop(&it.state) : rig_start(&it));
+    TEST_ASSERT_EQUAL_UINT(1, was.calls);
+    TEST_ASSERT_EQUAL_INT(FC_OK, was.error);
+    TEST_ASSERT_EQUAL_UINT32(135 * 8, it.panel->pixels - drawn);
+    TEST_ASSERT_EQUAL_UINT_MESSAGE(0, it.panel->errors, it.panel->error);
+    rig_close(&it);
+  }
+}
+
+static void test_stop_tells_the_error_of_what_was_under_way(void) {
+  static uint8_t pixels[135 * 2 * 8];
+  const fc_area area = {0, 0, 135, 8};
+  open_small(&fc_panel_st7789_135, true, 16);
+  TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
+  it.bus.fault = VIRTUAL_READY_FAILS;
+  it.bus.fault_at = it.bus.bytes + 500;
+  TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_write_start(&it.display, &area, pixels, 270, NULL, NULL));
+  virtual_bus_run(&it.bus);
+  end_of_faults();
+  TEST_ASSERT_EQUAL_INT(VIRTUAL_FAULT_CODE, fc_panel_stop(&it.state));
+  TEST_ASSERT_FALSE_MESSAGE(it.panel->on, "the panel is off all the same");
 }
 
 static void test_what_start_refuses_it_refuses_before_a_byte_is_sent(void) {
@@ -241,6 +282,8 @@ int main(void) {
   RUN_TEST(test_an_error_of_a_started_transfer_is_told_by_the_next_call_once);
   RUN_TEST(test_after_a_failed_transfer_the_window_is_opened_anew);
   RUN_TEST(test_ready_is_not_called_for_an_error_that_was_returned);
+  RUN_TEST(test_start_and_stop_wait_for_what_is_under_way);
+  RUN_TEST(test_stop_tells_the_error_of_what_was_under_way);
   RUN_TEST(test_stop_tries_everything_and_tells_the_first_error);
   return UNITY_END();
 }

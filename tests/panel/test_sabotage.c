@@ -9,7 +9,7 @@
 #include "unity.h"
 
 static rig it;
-static fc_panel broken;                        /* a copy of the record under test */
+static fc_panel broken;                     /* a copy of the record under test */
 static uint8_t init[160], direction[2][16]; /* copies of its tables */
 
 void setUp(void) {}
@@ -35,7 +35,9 @@ static uint8_t *entry_of(uint8_t command) {
   return entry;
 }
 
-static void cut(uint8_t *at, size_t count) { memmove(at, at + count, sizeof init - (size_t)(at + count - init)); }
+static void cut(uint8_t *at, size_t count) {
+  memmove(at, at + count, sizeof init - (size_t)(at + count - init));
+}
 static void drop(uint8_t command) { cut(entry_of(command), entry_bytes(entry_of(command))); }
 static void set(uint8_t command, uint8_t value) { entry_of(command)[2] = value; }
 static void no_delay(uint8_t command) {
@@ -192,8 +194,10 @@ typedef struct sabotage {
 } sabotage;
 
 static const sabotage table[] = {
-    {"D/C rises before a command's last bit", &fc_panel_st7789_240, filter_dc_early, false, "data byte 2C after command 2B"},
-    {"D/C is late for the first parameter", &fc_panel_st7789_240, filter_dc_late, false, "command 2A got 0 parameters, it takes 4"},
+    {"D/C rises before a command's last bit", &fc_panel_st7789_240, filter_dc_early, false,
+     "data byte 2C after command 2B"},
+    {"D/C is late for the first parameter", &fc_panel_st7789_240, filter_dc_late, false,
+     "command 2A got 0 parameters, it takes 4"},
     {"low byte of pixels first", &fc_panel_st7789_240, filter_swapped, false, "the glass shows"},
     {"lowest bit first", &fc_panel_ili9341, filter_reversed, false, "the glass shows"},
     {"a byte is lost", &fc_panel_ili9341, filter_lost, false, "1 odd byte after pixel"},
@@ -201,28 +205,41 @@ static const sabotage table[] = {
     {"a byte comes twice", &fc_panel_st7735_128, filter_doubled, false, "1 odd byte after pixel"},
     {"a byte comes twice on an OLED", &fc_panel_ssd0323, filter_doubled, false, "past the end of the window"},
     {"one bit is wrong", &fc_panel_ssd1322, filter_wrong_bit, false, "the glass shows"},
-    {"one bit is wrong in a picture of one bit", &fc_panel_ssd1306, filter_wrong_bit, false, "the glass shows"},
-    {"the rows of the window are not set", &fc_panel_st7789_135, filter_no_rows, false, "where there is no glass"},
-    {"the rows of the window are not set", &fc_panel_ssd1351, filter_no_rows, false, "past the end of the window"},
-    {"no memory write command", &fc_panel_st7789_240, filter_no_write, false, "after command 2B, which takes 4"},
+    {"one bit is wrong in a picture of one bit", &fc_panel_ssd1306, filter_wrong_bit, false,
+     "the glass shows"},
+    {"the rows of the window are not set", &fc_panel_st7789_135, filter_no_rows, false,
+     "where there is no glass"},
+    {"the rows of the window are not set", &fc_panel_ssd1351, filter_no_rows, false,
+     "past the end of the window"},
+    {"no memory write command", &fc_panel_st7789_240, filter_no_write, false,
+     "after command 2B, which takes 4"},
     {"no memory write command", &fc_panel_ssd1322, filter_no_write, false, "after command 75, which takes 2"},
     {"delays take no time", &fc_panel_st7789_240, filter_no_delays, false, "reset was held for 0 us"},
-    {"no time after a software reset", &fc_panel_st7789_240, no_delay_after_reset, false, "too early after a reset"},
-    {"the clock is never set", &fc_panel_st7789_240, clock_never_set, false, "before the clock was configured"},
+    {"no time after a software reset", &fc_panel_st7789_240, no_delay_after_reset, false,
+     "too early after a reset"},
+    {"the clock is never set", &fc_panel_st7789_240, clock_never_set, false,
+     "before the clock was configured"},
     {"columns off by one to the right", &fc_panel_st7789_135, x_offset, false, "where there is no glass"},
     {"columns off by one to the left", &fc_panel_st7789_135, x_offset_down, false, "where there is no glass"},
     {"columns off by one, turned", &fc_panel_st7789_135, x_offset, true, "where there is no glass"},
     {"rows off by one", &fc_panel_st7789_240, y_offset, false, "where there is no glass"},
-    {"rows off by one where memory ends", &fc_panel_ili9341, y_offset, false, "rows 1..320: memory has 0..319"},
+    {"rows off by one where memory ends", &fc_panel_ili9341, y_offset, false,
+     "rows 1..320: memory has 0..319"},
     {"rows off by one on an OLED with rows to spare", &fc_panel_ssd0323, y_offset, false, "the glass shows"},
-    {"offsets of the other way up", &fc_panel_st7789_240, offsets_of_the_other_way_up, true, "where there is no glass"},
-    {"offsets of the other way up, off by one", &fc_panel_st7789_135, offsets_of_the_other_way_up, true, "where there is no glass"},
-    {"direction of the other way up", &fc_panel_st7789_240, direction_of_the_other_way_up, true, "where there is no glass"},
-    {"direction of the other way up", &fc_panel_ssd0323, direction_of_the_other_way_up, true, "the glass shows"},
-    {"direction of the other way up", &fc_panel_ssd1306, direction_of_the_other_way_up, true, "the glass shows"},
+    {"offsets of the other way up", &fc_panel_st7789_240, offsets_of_the_other_way_up, true,
+     "where there is no glass"},
+    {"offsets of the other way up, off by one", &fc_panel_st7789_135, offsets_of_the_other_way_up, true,
+     "where there is no glass"},
+    {"direction of the other way up", &fc_panel_st7789_240, direction_of_the_other_way_up, true,
+     "where there is no glass"},
+    {"direction of the other way up", &fc_panel_ssd0323, direction_of_the_other_way_up, true,
+     "the glass shows"},
+    {"direction of the other way up", &fc_panel_ssd1306, direction_of_the_other_way_up, true,
+     "the glass shows"},
     {"no sleep out", &fc_panel_st7789_240, no_sleep_out, false, "display on while asleep"},
     {"no delay after sleep out", &fc_panel_st7789_240, no_delay_after_sleep_out, false, "5000 us too early"},
-    {"sleep out 5 ms short", &fc_panel_ili9341, short_delay_after_sleep_out, false, "display on less than 120 ms after sleep out"},
+    {"sleep out 5 ms short", &fc_panel_ili9341, short_delay_after_sleep_out, false,
+     "display on less than 120 ms after sleep out"},
     {"no display on", &fc_panel_st7789_320, no_display_on, false, "before the display is on"},
     {"no display on", &fc_panel_ssd1322, no_display_on_oled, false, "the glass shows 000000"},
     {"no pixel format", &fc_panel_st7789_240, no_format, false, "the glass shows"},
@@ -233,7 +250,8 @@ static const sabotage table[] = {
     {"red and blue swapped", &fc_panel_st7789_240, colours_swapped, false, "the glass shows"},
     {"red and blue swapped", &fc_panel_ili9341, colours_swapped, false, "the glass shows"},
     {"red and blue swapped", &fc_panel_ssd1351, colours_swapped_1351, false, "the glass shows"},
-    {"rows and columns exchanged", &fc_panel_st7789_240, rows_and_columns_exchanged, false, "exchanges rows and columns"},
+    {"rows and columns exchanged", &fc_panel_st7789_240, rows_and_columns_exchanged, false,
+     "exchanges rows and columns"},
     {"SPI mode 1", &fc_panel_ssd1306, spi_mode_1, false, "in SPI mode 1"},
     {"SPI mode 2", &fc_panel_st7789_240, spi_mode_2, false, "in SPI mode 2"},
     {"pixels too fast", &fc_panel_st7789_240, pixels_too_fast, false, "the data sheet allows 62500000"},
@@ -241,13 +259,16 @@ static const sabotage table[] = {
     {"initialised too fast", &fc_panel_st7789_240, init_too_fast, false, "initialise at 10 MHz at most"},
     {"reset too short", &fc_panel_st7789_240, reset_too_short, false, "reset was held for 2 us"},
     {"no time after reset", &fc_panel_ili9341, reset_wait_missing, false, "4999 us too early after a reset"},
-    {"a parameter is missing", &fc_panel_st7789_240, parameter_missing, false, "command 3A got 0 parameters, it takes 1"},
-    {"a parameter too many", &fc_panel_st7789_240, parameter_too_many, false, "after command 13, which takes 0"},
+    {"a parameter is missing", &fc_panel_st7789_240, parameter_missing, false,
+     "command 3A got 0 parameters, it takes 1"},
+    {"a parameter too many", &fc_panel_st7789_240, parameter_too_many, false,
+     "after command 13, which takes 0"},
     {"unknown command", &fc_panel_st7789_240, unknown_command, false, "unknown command 14"},
     {"wider than memory", &fc_panel_st7789_240, too_wide, false, "columns 0..241: memory has 0..239"},
     {"narrower than the glass", &fc_panel_st7789_320, too_narrow, true, "the glass shows"},
     {"data with D/C high", &fc_panel_ssd0323, data_as_data, false, "still waits for 1 parameters"},
-    {"data with D/C low", &fc_panel_ssd1351, data_as_commands, false, "command FD got 0 parameters, it takes 1"},
+    {"data with D/C low", &fc_panel_ssd1351, data_as_commands, false,
+     "command FD got 0 parameters, it takes 1"},
     {"window commands of an OLED", &fc_panel_st7789_240, window_of_an_oled, false, "unknown command 15"},
     {"window commands of a TFT", &fc_panel_ssd1351, window_of_a_tft, false, "unknown command 2A"},
     {"columns of one pixel", &fc_panel_ssd1322, window_in_single_columns, false, "memory has 0..119"},
@@ -263,17 +284,20 @@ static const sabotage table[] = {
     {"display offset as after reset", &fc_panel_ssd1351, offset_missing_1351, false, "the glass shows"},
     {"commands are locked", &fc_panel_ssd1351, locked, false, "is locked: FD B1 comes first"},
     {"single commons", &fc_panel_ssd1322, single_commons, false, "two commons at a time"},
-    {"columns of the other 1.9 inch glass", &fc_panel_st7789_170, x_offset_down, false, "where there is no glass"},
+    {"columns of the other 1.9 inch glass", &fc_panel_st7789_170, x_offset_down, false,
+     "where there is no glass"},
     {"columns reversed", &fc_panel_ssd1327, columns_reversed_1327, false, "the glass shows"},
     {"halves of bytes swapped", &fc_panel_ssd1327, nibbles_swapped, false, "the glass shows"},
     {"addresses run down", &fc_panel_ssd1327, addresses_run_down, false, "addresses run down"},
     {"rows reversed", &fc_panel_ssd1327, rows_reversed, false, "the glass shows"},
     {"commons not split", &fc_panel_ssd1327, commons_not_split, false, "commons are split"},
     {"display offset of another glass", &fc_panel_ssd1327, offset_1327, false, "the glass shows"},
-    {"no multiplex ratio", &fc_panel_ssd1327, multiplex_missing, false, "multiplex ratio of 256 rows, the glass has 128"},
+    {"no multiplex ratio", &fc_panel_ssd1327, multiplex_missing, false,
+     "multiplex ratio of 256 rows, the glass has 128"},
     {"no regulator", &fc_panel_ssd1327, no_regulator, false, "without the internal VDD regulator"},
     {"locked", &fc_panel_ssd1327, locked_1327, false, "nothing would be taken after it"},
-    {"no multiplex ratio", &fc_panel_ssd0323, multiplex_missing, false, "multiplex ratio of 256 rows, the glass has 64"},
+    {"no multiplex ratio", &fc_panel_ssd0323, multiplex_missing, false,
+     "multiplex ratio of 256 rows, the glass has 64"},
     {"inverse", &fc_panel_ssd1306, inverse, false, "the glass shows"},
     {"all off", &fc_panel_ssd0323, all_off, false, "the glass shows 000000"},
     {"page addressing", &fc_panel_ssd1306, page_addressing, false, "addressing mode 2"},

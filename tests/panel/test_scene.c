@@ -24,7 +24,9 @@ static const char *directory;
 void setUp(void) {}
 void tearDown(void) { rig_close(&it); }
 
-static int setup_frame(fc_frame *frame) { return fc_frame_setup(frame, &s1, &s1_camera, NULL, it.can.width, it.can.height, memory, sizeof memory); }
+static int setup_frame(fc_frame *frame) {
+  return fc_frame_setup(frame, &s1, &s1_camera, NULL, it.can.width, it.can.height, memory, sizeof memory);
+}
 
 /* The frame in strips, each converted on its own: in place, but for one bit a pixel, which has a page of its own. */
 static int draw_strips(void) {
@@ -37,7 +39,8 @@ static int draw_strips(void) {
   for (y = 0; error == FC_OK && y < it.can.height; y = (uint16_t)(y + STRIP)) {
     const fc_area area = {0, y, it.can.width, STRIP};
     error = fc_render_rows(&frame, y, STRIP, &target);
-    if (error == FC_OK) error = fc_display_convert(it.can.format, 0, y, it.can.width, STRIP, strip, pitch, to, bytes);
+    if (error == FC_OK)
+      error = fc_display_convert(it.can.format, 0, y, it.can.width, STRIP, strip, pitch, to, bytes);
     if (error == FC_OK) error = fc_display_write(&it.display, &area, to, bytes);
   }
   return error;
@@ -66,7 +69,8 @@ static void write_picture(void) {
   for (y = 0; y < it.can.height; y++) {
     for (x = 0; x < it.can.width; x++) {
       const uint32_t colour = virtual_shown(it.panel, x, y);
-      fputc((int)(colour >> 16), file), fputc((int)(colour >> 8 & 255), file), fputc((int)(colour & 255), file);
+      fputc((int)(colour >> 16), file), fputc((int)(colour >> 8 & 255), file),
+          fputc((int)(colour & 255), file);
     }
   }
   if (fclose(file) != 0) TEST_FAIL_MESSAGE("cannot write the picture");

@@ -21,7 +21,8 @@ static void reset(virtual_panel *panel) {
 }
 
 /* 15 and 75, 21 and 22. */
-static void set_range(virtual_panel *panel, const uint8_t *parameters, unsigned size, const char *what, uint16_t *first, uint16_t *last) {
+static void set_range(virtual_panel *panel, const uint8_t *parameters, unsigned size, const char *what,
+                      uint16_t *first, uint16_t *last) {
   *first = parameters[0];
   *last = parameters[1];
   if (*first > *last || *last >= size) {
@@ -33,7 +34,8 @@ static void set_range(virtual_panel *panel, const uint8_t *parameters, unsigned 
 
 static void switch_on(virtual_panel *panel) {
   if (panel->mux + 1 != panel->model->height) {
-    virtual_complain(panel, "display on with a multiplex ratio of %u rows, the glass has %u", panel->mux + 1, panel->model->height);
+    virtual_complain(panel, "display on with a multiplex ratio of %u rows, the glass has %u", panel->mux + 1,
+                     panel->model->height);
   }
   panel->on = true;
 }
@@ -75,8 +77,10 @@ static void reset_1351(virtual_panel *panel) {
 }
 
 static void execute_1351(virtual_panel *panel, uint8_t command, const uint8_t *parameters) {
-  const bool locked = command == 0xA2 || command == 0xB1 || command == 0xB3 || command == 0xBB || command == 0xBE || command == 0xC1;
-  if (locked && !panel->unlocked) virtual_complain(panel, "command %02X is locked: FD B1 comes first", command);
+  const bool locked = command == 0xA2 || command == 0xB1 || command == 0xB3 || command == 0xBB ||
+                      command == 0xBE || command == 0xC1;
+  if (locked && !panel->unlocked)
+    virtual_complain(panel, "command %02X is locked: FD B1 comes first", command);
   switch (command) {
     case 0x15: set_range(panel, parameters, 128, "columns", &panel->x0, &panel->x1); break;
     case 0x75: set_range(panel, parameters, 128, "rows", &panel->y0, &panel->y1); break;
@@ -87,7 +91,10 @@ static void execute_1351(virtual_panel *panel, uint8_t command, const uint8_t *p
     case 0xA0: panel->direction = parameters[0]; break;
     case 0xA1: panel->start_line = parameters[0]; break;
     case 0xA2: panel->offset = parameters[0]; break;
-    case 0xA4: case 0xA5: case 0xA6: case 0xA7: set_mode(panel, command); break;
+    case 0xA4:
+    case 0xA5:
+    case 0xA6:
+    case 0xA7: set_mode(panel, command); break;
     case 0xAE: panel->on = false; break;
     case 0xAF: switch_on(panel); break;
     case 0xCA: panel->mux = parameters[0]; break;
@@ -103,14 +110,17 @@ static void pixel_1351(virtual_panel *panel, uint8_t byte) {
   panel->parts = 0;
   if (colours != 1) virtual_complain(panel, "re-map %02X: pixels are not of 16 bits", panel->direction);
   if (panel->direction & 0x01) virtual_complain(panel, "re-map %02X: addresses run down", panel->direction);
-  if (!(panel->direction & 0x20)) virtual_complain(panel, "re-map %02X: the glass's commons are split", panel->direction);
+  if (!(panel->direction & 0x20))
+    virtual_complain(panel, "re-map %02X: the glass's commons are split", panel->direction);
   if (!virtual_writable(panel)) return;
   {
     const unsigned pixel = (unsigned)panel->part[0] << 8 | panel->part[1];
     const unsigned first = pixel >> 11, middle = pixel >> 5 & 63, last = pixel & 31;
-    const unsigned red = panel->direction & 0x04 ? first : last, blue = panel->direction & 0x04 ? last : first;
+    const unsigned red = panel->direction & 0x04 ? first : last,
+                   blue = panel->direction & 0x04 ? last : first;
     const unsigned segment = panel->direction & 0x02 ? 127u - panel->x : panel->x;
-    store(panel, panel->y, segment, (red << 3 | red >> 2) << 16 | (middle << 2 | middle >> 4) << 8 | (blue << 3 | blue >> 2));
+    store(panel, panel->y, segment,
+          (red << 3 | red >> 2) << 16 | (middle << 2 | middle >> 4) << 8 | (blue << 3 | blue >> 2));
   }
   virtual_next(panel);
 }
@@ -131,7 +141,10 @@ static void execute_0323(virtual_panel *panel, uint8_t command, const uint8_t *p
     case 0xA0: panel->direction = parameters[0]; break;
     case 0xA1: panel->start_line = parameters[0]; break;
     case 0xA2: panel->offset = parameters[0]; break;
-    case 0xA4: case 0xA5: case 0xA6: case 0xA7: /* normal, all on, all off, inverse */
+    case 0xA4:
+    case 0xA5:
+    case 0xA6:
+    case 0xA7: /* normal, all on, all off, inverse */
       panel->all_on = command == 0xA5;
       panel->all_off = command == 0xA6;
       panel->invert = command == 0xA7;
@@ -148,7 +161,8 @@ static void pixel_0323(virtual_panel *panel, uint8_t byte) {
   const uint32_t high = (byte >> 4) * UINT32_C(0x111111), low = (byte & 15) * UINT32_C(0x111111);
   const bool swapped = (panel->direction & 0x02) != 0;
   if (panel->direction & 0x04) virtual_complain(panel, "re-map %02X: addresses run down", panel->direction);
-  if (!(panel->direction & 0x40)) virtual_complain(panel, "re-map %02X: the glass's commons are split", panel->direction);
+  if (!(panel->direction & 0x40))
+    virtual_complain(panel, "re-map %02X: the glass's commons are split", panel->direction);
   if (!virtual_writable(panel)) return;
   store(panel, panel->y, 2 * column, swapped ? high : low);
   store(panel, panel->y, 2 * column + 1, swapped ? low : high);
@@ -169,14 +183,16 @@ static void execute_1327(virtual_panel *panel, uint8_t command, const uint8_t *p
       switch_on(panel);
       break;
     case 0xFD:
-      if (parameters[0] != 0x12) virtual_complain(panel, "command lock %02X: nothing would be taken after it", parameters[0]);
+      if (parameters[0] != 0x12)
+        virtual_complain(panel, "command lock %02X: nothing would be taken after it", parameters[0]);
       break;
     default: execute_0323(panel, command, parameters); break;
   }
 }
 
 static uint32_t shown_1327(const virtual_panel *panel, uint16_t x, uint16_t y) {
-  return lit(panel, panel->memory[row_of(panel, 127u - y, 128, (panel->direction & 0x10) != 0) * 128u + 127u - x]);
+  return lit(panel,
+             panel->memory[row_of(panel, 127u - y, 128, (panel->direction & 0x10) != 0) * 128u + 127u - x]);
 }
 
 static uint32_t shown_0323(const virtual_panel *panel, uint16_t x, uint16_t y) {
@@ -197,7 +213,10 @@ static void execute_1322(virtual_panel *panel, uint8_t command, const uint8_t *p
     case 0xA0: panel->direction = parameters[0], panel->direction2 = parameters[1]; break;
     case 0xA1: panel->start_line = parameters[0]; break;
     case 0xA2: panel->offset = parameters[0]; break;
-    case 0xA4: case 0xA5: case 0xA6: case 0xA7: set_mode(panel, command); break;
+    case 0xA4:
+    case 0xA5:
+    case 0xA6:
+    case 0xA7: set_mode(panel, command); break;
     case 0xAE: panel->on = false; break;
     case 0xAF: switch_on(panel); break;
     case 0xCA: panel->mux = parameters[0]; break;
@@ -213,7 +232,8 @@ static void pixel_1322(virtual_panel *panel, uint8_t byte) {
   panel->parts = 0;
   if (panel->direction & 0x01) virtual_complain(panel, "re-map %02X: addresses run down", panel->direction);
   if (panel->direction & 0x20 || panel->direction2 != 0x11) {
-    virtual_complain(panel, "re-map %02X %02X: the glass is driven by two commons at a time", panel->direction, panel->direction2);
+    virtual_complain(panel, "re-map %02X %02X: the glass is driven by two commons at a time",
+                     panel->direction, panel->direction2);
   }
   if (!virtual_writable(panel)) return;
   for (i = 0; i < 4; i++) {
@@ -242,19 +262,25 @@ static void execute_1306(virtual_panel *panel, uint8_t command, const uint8_t *p
       set_range(panel, parameters, 8, "pages", &panel->y0, &panel->y1);
       break;
     case 0x8D: panel->pump = (parameters[0] & 4) != 0; break;
-    case 0xA0: case 0xA1: panel->direction = command & 1; break;
-    case 0xA4: case 0xA5: panel->all_on = command == 0xA5; break;
-    case 0xA6: case 0xA7: panel->invert = command == 0xA7; break;
+    case 0xA0:
+    case 0xA1: panel->direction = command & 1; break;
+    case 0xA4:
+    case 0xA5: panel->all_on = command == 0xA5; break;
+    case 0xA6:
+    case 0xA7: panel->invert = command == 0xA7; break;
     case 0xA8: panel->mux = parameters[0]; break;
     case 0xAE: panel->on = false; break;
     case 0xAF:
-      if (!panel->pump) virtual_complain(panel, "display on without the charge pump: the glass has no voltage");
+      if (!panel->pump)
+        virtual_complain(panel, "display on without the charge pump: the glass has no voltage");
       if (panel->common_pins != 0x12) {
-        virtual_complain(panel, "display on with common pins %02X: the glass is wired for 12", panel->common_pins);
+        virtual_complain(panel, "display on with common pins %02X: the glass is wired for 12",
+                         panel->common_pins);
       }
       switch_on(panel);
       break;
-    case 0xC0: case 0xC8: panel->rows_reversed = command == 0xC8; break;
+    case 0xC0:
+    case 0xC8: panel->rows_reversed = command == 0xC8; break;
     case 0xD3: panel->offset = parameters[0]; break;
     case 0xDA: panel->common_pins = parameters[0]; break;
     default: break;
@@ -263,10 +289,12 @@ static void execute_1306(virtual_panel *panel, uint8_t command, const uint8_t *p
 
 static void pixel_1306(virtual_panel *panel, uint8_t byte) {
   unsigned i;
-  if (panel->addressing != 0) virtual_complain(panel, "addressing mode %u: pixels do not go on in the next page", panel->addressing);
+  if (panel->addressing != 0)
+    virtual_complain(panel, "addressing mode %u: pixels do not go on in the next page", panel->addressing);
   if (!virtual_writable(panel)) return;
   for (i = 0; i < 8; i++) {
-    store(panel, 8u * panel->y + i, panel->direction ? 127u - panel->x : panel->x, byte >> i & 1 ? 0xFFFFFF : 0);
+    store(panel, 8u * panel->y + i, panel->direction ? 127u - panel->x : panel->x,
+          byte >> i & 1 ? 0xFFFFFF : 0);
   }
   virtual_next(panel);
 }
