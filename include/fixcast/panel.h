@@ -20,7 +20,7 @@ extern "C" {
 typedef enum fc_panel_window {
   FC_WINDOW_MIPI = 0,    /* 2A x0 x1, 2B y0 y1, 2C: ends as 16-bit data, high byte first (ST7789, ILI9341, ST7735) */
   FC_WINDOW_SSD1351 = 1, /* 15 x0 x1, 75 y0 y1, 5C: ends as 8-bit data */
-  FC_WINDOW_SSD0323 = 2, /* 15 x0 x1 75 y0 y1, all as commands; columns in units of two pixels; pixels follow as data */
+  FC_WINDOW_SSD0323 = 2, /* 15 x0 x1 75 y0 y1, all as commands; columns in units of two pixels; pixels follow as data (SSD1327 too) */
   FC_WINDOW_SSD1322 = 3, /* 15 x0 x1, 75 y0 y1, 5C: ends as 8-bit data, columns in units of four pixels */
   FC_WINDOW_SSD1306 = 4  /* 21 x0 x1 22 p0 p1, all as commands; rows in pages of eight; pixels follow as data */
 } fc_panel_window;
@@ -60,10 +60,12 @@ typedef struct fc_panel {
 extern const fc_panel fc_panel_st7789_240 FC_ROM;   /* 240x240 of 240x320, 1.3" and 1.54" */
 extern const fc_panel fc_panel_st7789_135 FC_ROM;   /* 135x240, 1.14" */
 extern const fc_panel fc_panel_st7789_320 FC_ROM;   /* 240x320, 2.0" */
+extern const fc_panel fc_panel_st7789_170 FC_ROM;   /* 170x320, 1.9" */
 extern const fc_panel fc_panel_ili9341 FC_ROM;      /* 240x320 */
 extern const fc_panel fc_panel_st7735_128 FC_ROM;   /* 128x160, 1.8" */
 extern const fc_panel fc_panel_ssd1351 FC_ROM;      /* 128x128 colour OLED */
 extern const fc_panel fc_panel_ssd0323 FC_ROM;      /* 128x64 grey OLED */
+extern const fc_panel fc_panel_ssd1327 FC_ROM;      /* 128x128 grey OLED */
 extern const fc_panel fc_panel_ssd1322 FC_ROM;      /* 256x64 grey OLED */
 extern const fc_panel fc_panel_ssd1306 FC_ROM;      /* 128x64 monochrome OLED */
 
@@ -81,7 +83,7 @@ typedef struct fc_panel_state {
   const fc_panel *panel;
   fc_bus bus;
   fc_panel_options options;
-  uint16_t next_y; /* the row at which the open window goes on, or the height of the glass: none is open */
+  uint16_t next_y; /* the row at which the open window goes on; UINT16_MAX: none is open */
   uint8_t busy;    /* data_start was called, and wait was not since */
 } fc_panel_state;
 

@@ -1,8 +1,8 @@
 /*
  * Ilitek ILI9341: colour TFT controller, 240x320 pixels, under glass of that size.
  *
- * Facts: ILI9341 data sheet V1.11 (2011-06), sections in brackets. The write cycle is 100 ns by it [19.3.4]; most modules are run at 24 to 40 MHz by their
- * sellers' own examples: fc_panel_options.pixel_hz, at one's own risk.
+ * Facts: ILI9341 data sheet V1.11 (2011-06), sections in brackets. The write cycle is 100 ns by it [19.3.4]; most modules are run at 24 to
+ * 40 MHz by their sellers' own examples: fc_panel_options.pixel_hz, at one's own risk.
  */
 #include "fixcast/panel.h"
 

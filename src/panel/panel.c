@@ -8,15 +8,10 @@
 enum {
   CHUNK = 16,           /* bytes of a command table that are copied to RAM at a time */
   DELAY_UNIT_US = 5000, /* of FC_PANEL_DELAY */
-  PAGE_ROWS = 8     /* rows of a page of FC_DISPLAY_MONO8 */
+  PAGE_ROWS = 8         /* rows of a page of FC_DISPLAY_MONO8 */
 };
 
 /* ---- commands ---- */
-
-static int send_command(const fc_bus *bus, uint8_t command, const uint8_t *data, uint8_t count) {
-  int error = bus->ops->command(bus->context, &command, 1);
-  return error != FC_OK || count == 0 ? error : bus->ops->data(bus->context, data, count);
-}
 
 /* Replays a table of panel.h's form, which is in constant memory. */
 static int replay(const fc_bus *bus, const uint8_t *table, bool data_as_commands) {
@@ -45,38 +40,52 @@ static int replay(const fc_bus *bus, const uint8_t *table, bool data_as_commands
   }
 }
 
+/* A command with the ends of a range, as bytes or, high byte first, as words. */
+static int send_range(const fc_bus *bus, uint8_t command, uint16_t first, uint16_t last, bool words) {
+  uint8_t data[4], count = 0;
+  const int error = bus->ops->command(bus->context, &command, 1);
+  if (error != FC_OK) return error;
+  if (words) data[count++] = (uint8_t)(first >> 8);
+  data[count++] = (uint8_t)first;
+  if (words) data[count++] = (uint8_t)(last >> 8);
+  data[count++] = (uint8_t)last;
+  return bus->ops->data(bus->context, data, count);
+}
+
+/* Columns, rows, and the command after which pixels come. */
+static int send_ranges(const fc_bus *bus, const uint8_t commands[3], uint16_t x0, uint16_t x1, uint16_t y0,
+                       uint16_t y1, bool words) {
+  int error = send_range(bus, commands[0], x0, x1, words);
+  if (error == FC_OK) error = send_range(bus, commands[1], y0, y1, words);
+  return error != FC_OK ? error : bus->ops->command(bus->context, &commands[2], 1);
+}
+
 /* Where pixels go: columns x0..x1 and rows y0..y1 of the controller's memory, the ends included. */
 static int send_window(const fc_bus *bus, uint8_t style, uint16_t x0, uint16_t x1, uint16_t y0, uint16_t y1) {
-  uint8_t data[6];
-  int error;
+  uint8_t bytes[6];
   switch (style) {
     case FC_WINDOW_MIPI:
-      data[0] = (uint8_t)(x0 >> 8), data[1] = (uint8_t)x0, data[2] = (uint8_t)(x1 >> 8), data[3] = (uint8_t)x1;
-      error = send_command(bus, 0x2A, data, 4); /* CASET */
-      if (error != FC_OK) return error;
-      data[0] = (uint8_t)(y0 >> 8), data[1] = (uint8_t)y0, data[2] = (uint8_t)(y1 >> 8), data[3] = (uint8_t)y1;
-      error = send_command(bus, 0x2B, data, 4); /* RASET */
-      return error != FC_OK ? error : send_command(bus, 0x2C, NULL, 0);
+      bytes[0] = 0x2A, bytes[1] = 0x2B, bytes[2] = 0x2C;
+      return send_ranges(bus, bytes, x0, x1, y0, y1, true);
     case FC_WINDOW_SSD1322:
       x0 /= 4, x1 /= 4;
       /* fall through */
     case FC_WINDOW_SSD1351:
-      data[0] = (uint8_t)x0, data[1] = (uint8_t)x1;
-      error = send_command(bus, 0x15, data, 2);
-      if (error != FC_OK) return error;
-      data[0] = (uint8_t)y0, data[1] = (uint8_t)y1;
-      error = send_command(bus, 0x75, data, 2);
-      return error != FC_OK ? error : send_command(bus, 0x5C, NULL, 0);
+      bytes[0] = 0x15, bytes[1] = 0x75, bytes[2] = 0x5C;
+      return send_ranges(bus, bytes, x0, x1, y0, y1, false);
     case FC_WINDOW_SSD0323:
-      data[0] = 0x15, data[1] = (uint8_t)(x0 / 2), data[2] = (uint8_t)(x1 / 2);
-      data[3] = 0x75, data[4] = (uint8_t)y0, data[5] = (uint8_t)y1;
-      return bus->ops->command(bus->context, data, 6);
+      bytes[0] = 0x15, bytes[3] = 0x75;
+      x0 /= 2, x1 /= 2;
+      break;
     case FC_WINDOW_SSD1306:
-      data[0] = 0x21, data[1] = (uint8_t)x0, data[2] = (uint8_t)x1;
-      data[3] = 0x22, data[4] = (uint8_t)(y0 / PAGE_ROWS), data[5] = (uint8_t)(y1 / PAGE_ROWS);
-      return bus->ops->command(bus->context, data, 6);
+      bytes[0] = 0x21, bytes[3] = 0x22;
+      y0 /= PAGE_ROWS, y1 /= PAGE_ROWS;
+      break;
     default: return FC_ERR_UNSUPPORTED;
   }
+  bytes[1] = (uint8_t)x0, bytes[2] = (uint8_t)x1;
+  bytes[4] = (uint8_t)y0, bytes[5] = (uint8_t)y1;
+  return bus->ops->command(bus->context, bytes, sizeof bytes);
 }
 
 /* ---- the sink ---- */
@@ -95,7 +104,8 @@ static void panel_capabilities(void *context, fc_display_capabilities *to) {
   to->format = format_of(state, &panel);
   to->x_align = 1;
   to->y_align = 1;
-  if (to->format == FC_DISPLAY_RGB444 || to->format == FC_DISPLAY_GREY4) to->x_align = 2; /* whole bytes a row */
+  if (to->format == FC_DISPLAY_RGB444 || to->format == FC_DISPLAY_GREY4)
+    to->x_align = 2; /* whole bytes a row */
   if (panel.window == FC_WINDOW_SSD1322) to->x_align = 4;
   if (to->format == FC_DISPLAY_MONO8) to->y_align = PAGE_ROWS;
   to->asynchronous = ops->data_start != NULL;
@@ -110,13 +120,14 @@ static int panel_wait(void *context) {
   if (!state->busy) return FC_OK;
   state->busy = 0; /* an error is told once */
   error = state->bus.ops->wait(state->bus.context);
-  if (error != FC_OK) state->next_y = UINT16_MAX; /* who knows where the controller is: open the window anew */
+  if (error != FC_OK)
+    state->next_y = UINT16_MAX; /* who knows where the controller is: open the window anew */
   return error;
 }
 
 /* An area's pixels. All but the last row of bytes are sent at once, and that too unless `start` says that it may go on afterwards. */
-static int send_pixels(fc_panel_state *state, const uint8_t *pixels, size_t pitch_bytes, size_t row_bytes, uint16_t rows, bool start,
-                       fc_ready *ready, void *ready_context) {
+static int send_pixels(fc_panel_state *state, const uint8_t *pixels, size_t pitch_bytes, size_t row_bytes,
+                       uint16_t rows, bool start, fc_ready *ready, void *ready_context) {
   const fc_bus *bus = &state->bus;
   int error;
   if (pitch_bytes == row_bytes) { /* no gaps: one transfer */
@@ -138,8 +149,8 @@ static int send_pixels(fc_panel_state *state, const uint8_t *pixels, size_t pitc
  * Areas over the whole width that follow one another downwards share a window that reaches to the bottom: a controller goes on
  * where the last byte left it, even when the chip select was inactive meanwhile (ST7789V data sheet 8.6 "Data transfer pause"; the others alike).
  */
-static int write_area(fc_panel_state *state, const fc_area *area, const void *pixels, size_t pitch_bytes, bool start, fc_ready *ready,
-                      void *ready_context) {
+static int write_area(fc_panel_state *state, const fc_area *area, const void *pixels, size_t pitch_bytes,
+                      bool start, fc_ready *ready, void *ready_context) {
   fc_panel panel;
   uint8_t format;
   uint16_t rows;
@@ -149,7 +160,7 @@ static int write_area(fc_panel_state *state, const fc_area *area, const void *pi
   FC_READ(&panel, state->panel, sizeof panel);
   format = format_of(state, &panel);
   whole_width = area->width == panel.width;
-  if (!whole_width || area->y == 0 || area->y != state->next_y) {
+  if (!whole_width || area->y != state->next_y) { /* which is never 0: each frame opens one */
     const fc_panel_turn *turn = &panel.turn[state->options.half_turn];
     const uint16_t x0 = (uint16_t)(turn->x_offset + area->x), x1 = (uint16_t)(x0 + area->width - 1u);
     const uint16_t y0 = (uint16_t)(turn->y_offset + area->y);
@@ -159,7 +170,8 @@ static int write_area(fc_panel_state *state, const fc_area *area, const void *pi
   state->next_y = UINT16_MAX; /* until all has gone well */
   if (error != FC_OK) return error;
   rows = format == FC_DISPLAY_MONO8 ? (uint16_t)(area->height / PAGE_ROWS) : area->height;
-  error = send_pixels(state, pixels, pitch_bytes, fc_display_row_bytes(format, area->width), rows, start, ready, ready_context);
+  error = send_pixels(state, pixels, pitch_bytes, fc_display_row_bytes(format, area->width), rows, start,
+                      ready, ready_context);
   if (error == FC_OK && whole_width) state->next_y = (uint16_t)(area->y + area->height);
   return error;
 }
@@ -168,14 +180,10 @@ static int panel_write(void *context, const fc_area *area, const void *pixels, s
   return write_area(context, area, pixels, pitch_bytes, false, NULL, NULL);
 }
 
-static int panel_write_start(void *context, const fc_area *area, const void *pixels, size_t pitch_bytes, fc_ready *ready,
-                             void *ready_context) {
-  fc_panel_state *state = context;
-  int error;
-  if (state->bus.ops->data_start != NULL) return write_area(state, area, pixels, pitch_bytes, true, ready, ready_context);
-  error = write_area(state, area, pixels, pitch_bytes, false, NULL, NULL);
-  if (error == FC_OK && ready != NULL) ready(ready_context, FC_OK);
-  return error;
+/* Only called on a bus that has data_start: capabilities say so. */
+static int panel_write_start(void *context, const fc_area *area, const void *pixels, size_t pitch_bytes,
+                             fc_ready *ready, void *ready_context) {
+  return write_area(context, area, pixels, pitch_bytes, true, ready, ready_context);
 }
 
 static int panel_backlight(void *context, uint8_t level) {
@@ -209,10 +217,12 @@ static int reset(const fc_bus *bus, const fc_panel *panel) {
   return error;
 }
 
-int fc_panel_start(fc_panel_state *state, const fc_panel *panel, const fc_bus *bus, const fc_panel_options *options, fc_display *display) {
+int fc_panel_start(fc_panel_state *state, const fc_panel *panel, const fc_bus *bus,
+                   const fc_panel_options *options, fc_display *display) {
   fc_panel record;
   int error;
-  if (state == NULL || panel == NULL || bus == NULL || bus->ops == NULL || display == NULL) return FC_ERR_NULL;
+  if (state == NULL || panel == NULL || bus == NULL || bus->ops == NULL || display == NULL)
+    return FC_ERR_NULL;
   FC_READ(&record, panel, sizeof record);
   state->panel = panel;
   state->bus = *bus;
@@ -222,12 +232,15 @@ int fc_panel_start(fc_panel_state *state, const fc_panel *panel, const fc_bus *b
   state->next_y = UINT16_MAX;
   state->busy = 0;
   if (state->options.twelve_bit && record.format12 == NULL) return FC_ERR_UNSUPPORTED;
-  if (bus->ops->wait != NULL) (void)bus->ops->wait(bus->context); /* what an earlier life left under way; its error is not ours */
+  if (bus->ops->wait != NULL)
+    (void)bus->ops->wait(bus->context); /* what an earlier life left under way; its error is not ours */
   error = bus->ops->configure(bus->context, record.init_hz, record.spi_mode);
   if (error == FC_OK) error = reset(bus, &record);
   if (error == FC_OK) error = replay(bus, record.init, record.data_as_commands);
-  if (error == FC_OK) error = replay(bus, record.turn[state->options.half_turn].direction, record.data_as_commands);
-  if (error == FC_OK && state->options.twelve_bit) error = replay(bus, record.format12, record.data_as_commands);
+  if (error == FC_OK)
+    error = replay(bus, record.turn[state->options.half_turn].direction, record.data_as_commands);
+  if (error == FC_OK && state->options.twelve_bit)
+    error = replay(bus, record.format12, record.data_as_commands);
   if (error == FC_OK) error = bus->ops->configure(bus->context, state->options.pixel_hz, record.spi_mode);
   if (error != FC_OK) return error;
   display->ops = &panel_ops;

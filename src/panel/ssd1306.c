@@ -1,8 +1,8 @@
 /*
  * Solomon Systech SSD1306: OLED controller, 128x64 pixels of one bit, under glass of that size (the 0.96 inch modules).
  *
- * Facts: SSD1306 data sheet Rev 1.1 (2008-04), sections 9 and 10 (commands), 13 (AC characteristics: serial clock cycle 100 ns) and its appendix (charge pump).
- * Commands and their data are sent with D/C low.
+ * Facts: SSD1306 data sheet Rev 1.1 (2008-04), sections 9 and 10 (commands), 13 (AC characteristics: serial clock cycle 100 ns) and its
+ * appendix (charge pump). Commands and their data are sent with D/C low.
  */
 #include "fixcast/panel.h"
 

@@ -1,8 +1,8 @@
 /*
  * Solomon Systech SSD1351: colour OLED controller, 128x128 pixels.
  *
- * Facts: SSD1351 data sheet Rev 1.5 (2011-01), sections 9 and 10 (commands) and 13 (AC characteristics). Its serial clock cycle is 220 ns (table 13-4); Rev 1.3
- * still had 50 ns, and modules are widely run at 8 to 20 MHz: fc_panel_options.pixel_hz, at one's own risk.
+ * Facts: SSD1351 data sheet Rev 1.5 (2011-01), sections 9 and 10 (commands) and 13 (AC characteristics). Its serial clock cycle is 220 ns
+ * (table 13-4); Rev 1.3 still had 50 ns, and modules are widely run at 8 to 20 MHz: fc_panel_options.pixel_hz, at one's own risk.
  */
 #include "fixcast/panel.h"
 

@@ -1,5 +1,6 @@
 /*
- * Sitronix ST7735R: colour TFT controller, here with 128x160 pixels of memory under glass of that size (the 1.8 inch modules with a black tab).
+ * Sitronix ST7735R: colour TFT controller, wired (GM = 3) to have 128x160 pixels of memory, under glass of that size (the 1.8 inch modules
+ * with a black tab).
  *
  * Facts: ST7735R data sheet V0.2 (2009-08), sections in brackets; frame rate, voltages and gamma are those that the glass's maker gives for it.
  */
@@ -15,7 +16,7 @@ static const uint8_t init[] FC_ROM = {
     0xC2, 2, 0x0A, 0x00,                      /* power control 3 [10.2.8]: amplifiers, normal mode */
     0xC5, 1, 0x0E,                            /* VCOM [10.2.11] */
     0x3A, 1, 0x05,                            /* COLMOD [10.1.29]: 16 bits a pixel */
-    0x20, 0,                                  /* inversion off [10.1.15] */
+    0x20, 0,                                  /* inversion off [10.1.14] */
     0xE0, 16, 0x02, 0x1C, 0x07, 0x12, 0x37, 0x32, 0x29, 0x2D, 0x29, 0x25, 0x2B, 0x39, 0x00, 0x01, 0x03, 0x10, /* gamma + [10.2.17] */
     0xE1, 16, 0x03, 0x1D, 0x07, 0x06, 0x2E, 0x2C, 0x29, 0x2D, 0x2E, 0x2E, 0x37, 0x3F, 0x00, 0x00, 0x02, 0x10, /* gamma - [10.2.18] */
     0x13, 0,                                  /* normal display mode on [10.1.13] */

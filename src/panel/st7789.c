@@ -1,8 +1,8 @@
 /*
  * Sitronix ST7789: colour TFT controllers of 240x320 pixels, under glass of that size or a smaller one.
  *
- * Facts: ST7789V data sheet V1.3 (2014-03), sections in brackets; the write cycle of 16 ns is that of the ST7789VW, V1.0 (2017-09) 7.4.3, which is on the small
- * IPS modules that are sold today. (The ST7789V has 66 ns: for it, set fc_panel_options.pixel_hz to 15 MHz.)
+ * Facts: ST7789V data sheet V1.3 (2014-03), sections in brackets; the write cycle of 16 ns is that of the ST7789VW, V1.0 (2017-09) 7.4.3,
+ * which is on the small IPS modules that are sold today. (The ST7789V has 66 ns: for it, set fc_panel_options.pixel_hz to 15 MHz.)
  */
 #include "fixcast/panel.h"
 
@@ -10,7 +10,7 @@ static const uint8_t init[] FC_ROM = {
     0x01, 0 | FC_PANEL_DELAY, 24,       /* software reset [9.1.2]: 120 ms until sleep out */
     0x11, 0 | FC_PANEL_DELAY, 24,       /* sleep out [9.1.12]: 120 ms until the supplies are stable */
     0x3A, 1, 0x55,                      /* COLMOD [9.1.32]: 16 bits a pixel */
-    0x21, 0,                            /* inversion on [9.1.17]: IPS glass is normally black */
+    0x21, 0,                            /* inversion on [9.1.16]: IPS glass is normally black */
     0x13, 0,                            /* normal display mode on [9.1.14] */
     0x29, 0,                            /* display on [9.1.19] */
     FC_PANEL_END};
@@ -29,7 +29,8 @@ static const uint8_t turned[] FC_ROM = {0x36, 1, 0xC0, FC_PANEL_END};
   .init = init, .off = off, .window = FC_WINDOW_MIPI, .format = FC_DISPLAY_RGB565, .spi_mode = 3, .init_hz = 10000000, .pixel_hz = 62500000, \
   .reset_low_us = 10, .reset_wait_us = 5000
 
-static const char name_240[] FC_ROM = "st7789-240", name_135[] FC_ROM = "st7789-135", name_320[] FC_ROM = "st7789-320";
+static const char name_240[] FC_ROM = "st7789-240", name_135[] FC_ROM = "st7789-135", name_320[] FC_ROM = "st7789-320",
+                  name_170[] FC_ROM = "st7789-170";
 
 /* The glass shows the first 240 rows of memory; turned, that is the last 240 of 320. */
 const fc_panel fc_panel_st7789_240 FC_ROM = {
@@ -41,3 +42,7 @@ const fc_panel fc_panel_st7789_135 FC_ROM = {
 
 const fc_panel fc_panel_st7789_320 FC_ROM = {
     ST7789, .name = name_320, .width = 240, .height = 320, .turn = {{0, 0, upright}, {0, 0, turned}}, .format12 = twelve_bits};
+
+/* 170 of 240 columns, from 35 on both ways up. */
+const fc_panel fc_panel_st7789_170 FC_ROM = {
+    ST7789, .name = name_170, .width = 170, .height = 320, .turn = {{35, 0, upright}, {35, 0, turned}}, .format12 = twelve_bits};

@@ -86,7 +86,7 @@ def check_registers(report, image):
     report.equal("SSI: on, a master; Freescale's frames of 8 bits, mode 3", (2, 0xc7), (cr1 & 6, cr0 & 0xff))
     wire = hz / (prescale * ((cr0 >> 8) + 1))
     report.check(SPI_LIMIT_HZ * 3 / 4 < wire <= SPI_LIMIT_HZ, f"the SSI's registers make {wire:.0f} Hz of {hz:.0f}")
-    report.check(abs(hz / 16 / baud / 115200 - 1) < 0.01, f"the UART's registers make {hz / 16 / baud:.0f} baud")
+    report.check(abs(hz / 16 / baud / 115200 - 1) < 0.002, f"the UART's registers make {hz / 16 / baud:.0f} baud")
 
 
 def check_buttons(report, image, host):

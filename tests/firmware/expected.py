@@ -1,5 +1,8 @@
-"""What firmware should show, computed here without a line of its code: S1 from each step of the orbit, drawn by the simulator from a scene file; and how
-displays of fewer bits should show that, from the text at the top of src/panel/convert.c."""
+"""What firmware should show, computed here without a line of its code.
+
+S1 from each step of the orbit is drawn by the simulator from a scene file; how displays of fewer bits should show that, is taken from the text at the
+top of src/panel/convert.c.
+"""
 import math
 import pathlib
 import sys

@@ -3,7 +3,8 @@
  *
  * firmware_host PANEL FRAMES ROWS sync|async|async12|queue GLASS [WIDTH HEIGHT [BUTTONS]]
  *
- * Prints the firmware's text. GLASS gets what the eye sees after each `pattern` and `frame` line: all the panel's pixels, three bytes each, red first.
+ * Prints the firmware's text. GLASS gets what the eye sees after each `pattern` and `frame` line: all the panel's pixels, three bytes each,
+ * red first.
  * BUTTONS: what each look at the buttons finds, FC_BUTTON_ bits as hexadecimal digits, two a look; then none is held.
  * Exit code: 0; 1 after an error of the firmware, 2 for bad arguments, 3 when the panel complains of what came over the wires.
  */

@@ -76,13 +76,15 @@ function pixel_at(doings, x, y, options) {
 
 const GREEN_RIGHT = [...START, ...WINDOW, PIXELS];
 check(pixel_at(GREEN_RIGHT, 10, 20) === 'ff0000' && pixel_at(GREEN_RIGHT, 11, 20) === '00ff00', 'pixels go from left to right, red is red');
-check(pixel_at([...START, [0x36, 0xc0], ...WINDOW, PIXELS], 229, 299, { glass: GLASSES['st7789-320'] }) === 'ff0000', 'MY and MX turn by half a circle');
+check(pixel_at([...START, [0x36, 0xc0], ...WINDOW, PIXELS], 229, 299, { glass: GLASSES['st7789-320'] }) === 'ff0000',
+  'MY and MX turn by half a circle');
 check(pixel_at([...START, [0x36, 0x20], ...WINDOW, PIXELS], 20, 11) === '00ff00', 'MV swaps rows and columns');
 check(pixel_at([...START, [0x36, 0x08], ...WINDOW, PIXELS], 10, 20) === '0000ff', 'BGR swaps red and blue');
 check(pixel_at([...START, [0x20], ...WINDOW, PIXELS], 10, 20) === '00ffff', 'without inversion an IPS glass shows the opposite');
 check(pixel_at([...START, ...WINDOW, PIXELS, [0x28], [0x00]], 10, 20) === '000000', 'a display that is off is black');
 check(pixel_at([...START, [0x3a, 0x53], ...WINDOW, [0x2c, 0xf0, 0x00, 0xf0]], 11, 20) === '00ff00', 'two pixels of 12 bits in three bytes');
-check(pixel_at([...START, [0x2a, 0, 52, 0, 53], [0x2b, 0, 40, 0, 40], PIXELS], 0, 0, { glass: GLASSES['st7789-135'] }) === 'ff0000', 'the small glass begins at 52, 40');
+check(pixel_at([...START, [0x2a, 0, 52, 0, 53], [0x2b, 0, 40, 0, 40], PIXELS], 0, 0, { glass: GLASSES['st7789-135'] }) === 'ff0000',
+  'the small glass begins at 52, 40');
 
 /* ---- flash ---- */
 
@@ -92,7 +94,8 @@ const QUAD = 2 << 21 | 31 << 16 | 3 << 8, FIRST = 8 << 2 | 4 << 11 | 2 << 8 | 1,
 const send = (...bytes) => [...bytes.map((byte) => ['data', byte]), ['status']];
 const BEGIN = [['enable', 0], ['divider', 2], ['select', 1], ['ctrlr0', 7 << 16], ['enable', 1]];
 const ENABLE_QUAD = [...send(0x06), ...send(0x31, 2), ...send(0x05, 0), ...send(0x05, 0), ...send(0x05, 0), ...send(0x05, 0)];
-const QUAD_READS = [['enable', 0], ['ctrlr0', QUAD], ['ctrlr1', 0], ['format', FIRST], ['enable', 1], ...send(0xeb, 0xa0), ['enable', 0], ['format', NEXT], ['enable', 1]];
+const QUAD_READS = [['enable', 0], ['ctrlr0', QUAD], ['ctrlr1', 0], ['format', FIRST], ['enable', 1],
+  ...send(0xeb, 0xa0), ['enable', 0], ['format', NEXT], ['enable', 1]];
 
 function boot(writes, { hz = 125e6, status2 = 0 } = {}) {
   const said = [], flash = new FlashInterface({ problem: (text) => said.push(text), system_hz: () => hz, status2 });

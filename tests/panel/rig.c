@@ -9,6 +9,7 @@ static uint8_t picture[RIG_BYTES_MAX], buffers[2][RIG_BYTES_MAX];
 
 void rig_open(rig *it, const fc_panel *record, bool asynchronous, bool half_turn, bool twelve_bit) {
   memset(it, 0, sizeof *it);
+  memset(&it->state, 0xEE, sizeof it->state); /* as the stack leaves it */
   it->record = record;
   it->panel = &glass;
   it->picture = picture;
@@ -107,8 +108,8 @@ const char *rig_verdict(rig *it) {
       const uint16_t at_y = it->options.half_turn ? (uint16_t)(it->can.height - 1 - y) : y;
       const uint32_t expected = rig_colour(it, x, y), seen = virtual_shown(&glass, at_x, at_y);
       if (expected != seen) {
-        snprintf(text, sizeof text, "%s: the glass shows %06lX at (%u, %u), expected %06lX", it->record->name, (unsigned long)seen, at_x, at_y,
-                 (unsigned long)expected);
+        snprintf(text, sizeof text, "%s: the glass shows %06lX at (%u, %u), expected %06lX", it->record->name,
+                 (unsigned long)seen, at_x, at_y, (unsigned long)expected);
         return text;
       }
     }

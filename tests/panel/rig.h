@@ -12,7 +12,7 @@
 #include "virtual_bus.h"
 
 enum {
-  RIG_BYTES_MAX = 240 * 320 * 2
+  RIG_BYTES_MAX = 256 * 320 * 2
 };
 
 typedef struct rig {

@@ -32,16 +32,19 @@ static void assert_picture(void) {
 }
 
 static void sixty_frames(void) {
+  const uint32_t frames = it.options.half_turn || it.options.twelve_bit ? 6 : 60;
   uint32_t frame;
-  for (frame = 0; frame < 60; frame++) {
+  for (frame = 0; frame < frames; frame++) {
     const unsigned long windows = it.panel->windows;
     rig_noise(&it, frame);
     TEST_ASSERT_EQUAL_INT(FC_OK, rig_draw(&it, 16));
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(1, it.panel->windows - windows, "window commands a frame");
-    if (frame % 29 == 1) assert_picture();
+    if (frame % 29 == 1 || frame == frames - 1) assert_picture();
   }
 }
-static void test_sixty_frames_in_strips_of_16_rows_with_one_window_command_each(void) { for_each(sixty_frames); }
+static void test_sixty_frames_in_strips_of_16_rows_with_one_window_command_each(void) {
+  for_each(sixty_frames);
+}
 
 static void strip_heights(void) {
   const uint16_t heights[] = {1, 7, 8, 24, it.can.height};
@@ -53,7 +56,8 @@ static void strip_heights(void) {
     TEST_ASSERT_EQUAL_INT(FC_OK, rig_draw(&it, heights[i]));
     assert_picture();
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(1, it.panel->windows - windows, "window commands a frame");
-    TEST_ASSERT_EQUAL_UINT32_MESSAGE((uint32_t)it.can.width * it.can.height, it.panel->pixels - pixels, "pixels a frame");
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE((uint32_t)it.can.width * it.can.height, it.panel->pixels - pixels,
+                                     "pixels a frame");
   }
 }
 static void test_strips_of_any_height_give_the_same_picture(void) { for_each(strip_heights); }
@@ -71,12 +75,15 @@ static void early_reuse(void) {
   TEST_ASSERT_EQUAL_UINT32(1, it.panel->errors);
   TEST_ASSERT_NOT_NULL(strstr(it.panel->error, "changed while they were under way"));
 }
-static void test_the_rig_notices_a_buffer_that_is_changed_while_it_is_under_way(void) { for_each(early_reuse); }
+static void test_the_rig_notices_a_buffer_that_is_changed_while_it_is_under_way(void) {
+  for_each(early_reuse);
+}
 
 /* Areas anywhere, out of buffers with gaps between the rows, in between strips of the whole width. */
 static void areas(void) {
   static uint8_t buffer[RIG_BYTES_MAX];
-  const uint16_t step_x = it.can.x_align, step_y = it.can.y_align, rows_a_byte = it.can.format == FC_DISPLAY_MONO8 ? 8 : 1;
+  const uint16_t step_x = it.can.x_align, step_y = it.can.y_align,
+                 rows_a_byte = it.can.format == FC_DISPLAY_MONO8 ? 8 : 1;
   const size_t row = fc_display_row_bytes(it.can.format, it.can.width);
   uint32_t state = 5, i;
   rig_noise(&it, 1);
@@ -102,7 +109,8 @@ static void areas(void) {
     /* The same into the picture, by whole bytes: x_align sees to that. */
     step = fc_display_row_bytes(it.can.format, area.x);
     for (k = 0; k < area.height / rows_a_byte; k++) {
-      memcpy(it.picture + row * (size_t)(area.y / rows_a_byte + k) + step, buffer + pitch * k, fc_display_row_bytes(it.can.format, area.width));
+      memcpy(it.picture + row * (size_t)(area.y / rows_a_byte + k) + step, buffer + pitch * k,
+             fc_display_row_bytes(it.can.format, area.width));
     }
     TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_write_start(&it.display, &area, buffer, pitch, NULL, NULL));
     TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_wait(&it.display));
@@ -120,7 +128,8 @@ static void ready(void) {
   unsigned calls = 0;
   const fc_area area = {0, 0, it.can.width, 8};
   const size_t pitch = fc_display_row_bytes(it.can.format, it.can.width);
-  TEST_ASSERT_EQUAL_INT(FC_OK, fc_display_write_start(&it.display, &area, buffer, pitch, ready_called, &calls));
+  TEST_ASSERT_EQUAL_INT(FC_OK,
+                        fc_display_write_start(&it.display, &area, buffer, pitch, ready_called, &calls));
   TEST_ASSERT_EQUAL_UINT(it.can.asynchronous ? 0 : 1, calls);
   virtual_bus_run(&it.bus);
   TEST_ASSERT_EQUAL_UINT(1, calls);
@@ -144,6 +153,30 @@ static void stop_and_start(void) {
   assert_picture();
 }
 static void test_a_stopped_panel_is_dark_and_starts_again(void) { for_each(stop_and_start); }
+
+static int vsync(void *context) {
+  (void)context;
+  return -33;
+}
+/* What the bus has wired, the display can; what it has not, it says. */
+static void talents(void) {
+  TEST_ASSERT_EQUAL_UINT(it.options.twelve_bit ? FC_DISPLAY_RGB444 : it.record->format, it.can.format);
+  TEST_ASSERT_EQUAL_UINT(it.bus.ops.data_start != NULL, it.can.asynchronous);
+  TEST_ASSERT_EQUAL_UINT(0, it.can.has_flush);
+  TEST_ASSERT_EQUAL_UINT(1, it.can.has_backlight);
+  TEST_ASSERT_EQUAL_UINT(0, it.can.has_vsync);
+  TEST_ASSERT_EQUAL_INT(FC_ERR_UNSUPPORTED, fc_display_flush(&it.display));
+  TEST_ASSERT_EQUAL_INT(FC_ERR_UNSUPPORTED, fc_display_wait_vsync(&it.display));
+  it.bus.ops.backlight = NULL;
+  it.bus.ops.wait_vsync = vsync;
+  fc_display_capabilities_get(&it.display, &it.can);
+  TEST_ASSERT_EQUAL_UINT(0, it.can.has_backlight);
+  TEST_ASSERT_EQUAL_UINT(1, it.can.has_vsync);
+  TEST_ASSERT_EQUAL_INT(FC_ERR_UNSUPPORTED, fc_display_backlight(&it.display, 9));
+  TEST_ASSERT_EQUAL_INT(-33, fc_display_wait_vsync(&it.display));
+  TEST_ASSERT_EQUAL_INT(FC_OK, fc_panel_stop(&it.state));
+}
+static void test_talents_are_those_of_the_bus(void) { for_each(talents); }
 
 /* Boards that do not wire the reset line. */
 static void no_reset_line(void) {
@@ -177,6 +210,7 @@ int main(void) {
   RUN_TEST(test_areas_anywhere_from_buffers_with_gaps);
   RUN_TEST(test_ready_is_called_once_when_the_pixels_have_left);
   RUN_TEST(test_a_stopped_panel_is_dark_and_starts_again);
+  RUN_TEST(test_talents_are_those_of_the_bus);
   RUN_TEST(test_panels_start_and_restart_without_a_reset_line);
   return UNITY_END();
 }

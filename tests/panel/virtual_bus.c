@@ -6,7 +6,9 @@
 
 #include "fixcast/error.h"
 
-static bool failing(const virtual_bus *bus, virtual_fault fault) { return bus->fault == fault && bus->bytes >= bus->fault_at; }
+static bool failing(const virtual_bus *bus, virtual_fault fault) {
+  return bus->fault == fault && bus->bytes >= bus->fault_at;
+}
 
 /* Bytes to the panel until they are all sent, or `fault` strikes. */
 static int send(virtual_bus *bus, bool data, const uint8_t *bytes, size_t count, virtual_fault fault) {
@@ -16,11 +18,14 @@ static int send(virtual_bus *bus, bool data, const uint8_t *bytes, size_t count,
     uint8_t byte = bytes[i];
     if (failing(bus, fault)) return VIRTUAL_FAULT_CODE;
     bus->bytes++;
-    if (!data) bus->last_command = byte, bus->since_command = 0;
-    else bus->since_command++;
+    if (!data)
+      bus->last_command = byte, bus->since_command = 0;
+    else
+      bus->since_command++;
     if (bus->filter == NULL || bus->filter(bus, &level, &byte)) virtual_feed(bus->panel, level, byte);
   }
-  return failing(bus, fault) ? VIRTUAL_FAULT_CODE : FC_OK; /* a fault after the last byte is one of this transfer too */
+  return failing(bus, fault) ? VIRTUAL_FAULT_CODE
+                             : FC_OK; /* a fault after the last byte is one of this transfer too */
 }
 
 static void complete(virtual_bus *bus, int error) {
@@ -33,19 +38,17 @@ static void complete(virtual_bus *bus, int error) {
 
 void virtual_bus_run(virtual_bus *bus) {
   if (bus->under_way == NULL || bus->fault == VIRTUAL_STUCK) return;
-  if (memcmp(bus->under_way, bus->as_started, bus->count) != 0) virtual_complain(bus->panel, "the pixels were changed while they were under way");
+  if (memcmp(bus->under_way, bus->as_started, bus->count) != 0)
+    virtual_complain(bus->panel, "the pixels were changed while they were under way");
   complete(bus, send(bus, true, bus->under_way, bus->count, VIRTUAL_READY_FAILS));
 }
 
 static int bus_wait(void *context) {
   virtual_bus *bus = context;
   const unsigned before = bus->readies;
-  int error;
   virtual_bus_run(bus);
   if (bus->under_way != NULL && bus->readies == before) complete(bus, FC_ERR_BUS); /* stuck: the port gives up */
-  error = bus->transfer_error;
-  bus->transfer_error = FC_OK;
-  return error;
+  return bus->transfer_error; /* as some ports do, until the next start: callers must not ask twice */
 }
 
 static int transfer(virtual_bus *bus, bool data, const uint8_t *bytes, size_t count) {
@@ -55,10 +58,15 @@ static int transfer(virtual_bus *bus, bool data, const uint8_t *bytes, size_t co
   return send(bus, data, bytes, count, VIRTUAL_FAIL);
 }
 
-static int bus_command(void *context, const uint8_t *bytes, size_t count) { return transfer(context, false, bytes, count); }
-static int bus_data(void *context, const uint8_t *bytes, size_t count) { return transfer(context, true, bytes, count); }
+static int bus_command(void *context, const uint8_t *bytes, size_t count) {
+  return transfer(context, false, bytes, count);
+}
+static int bus_data(void *context, const uint8_t *bytes, size_t count) {
+  return transfer(context, true, bytes, count);
+}
 
-static int bus_data_start(void *context, const uint8_t *bytes, size_t count, fc_ready *ready, void *ready_context) {
+static int bus_data_start(void *context, const uint8_t *bytes, size_t count, fc_ready *ready,
+                          void *ready_context) {
   virtual_bus *bus = context;
   virtual_bus_run(bus);
   if (bus->under_way != NULL) return bus_wait(bus);

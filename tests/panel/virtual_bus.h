@@ -12,9 +12,9 @@
 
 typedef enum virtual_fault {
   VIRTUAL_NO_FAULT = 0,
-  VIRTUAL_FAIL,        /* the byte number fault_at is not sent, and its transfer fails with VIRTUAL_FAULT_CODE; so do later ones */
+  VIRTUAL_FAIL, /* the byte number fault_at is not sent, and its transfer fails with VIRTUAL_FAULT_CODE; so do later ones */
   VIRTUAL_READY_FAILS, /* a transfer that was started fails at that byte: data_start has returned FC_OK, `ready` and wait() tell */
-  VIRTUAL_STUCK        /* a transfer that was started never ends: wait() gives up with FC_ERR_BUS */
+  VIRTUAL_STUCK /* a transfer that was started never ends: wait() gives up with FC_ERR_BUS */
 } virtual_fault;
 enum {
   VIRTUAL_FAULT_CODE = -4711 /* a port's own code */
@@ -27,11 +27,11 @@ struct virtual_bus {
   virtual_panel *panel;
   /* faults */
   virtual_fault fault;
-  uint64_t fault_at, bytes; /* bytes sent so far */
+  uint64_t fault_at, bytes;         /* bytes sent so far */
   int configure_error, reset_error; /* returned by those, if not FC_OK */
   /* sabotage: may change a byte and its D/C, or have it left out (false); NULL: none */
   bool (*filter)(virtual_bus *bus, bool *data, uint8_t *byte);
-  uint8_t last_command;  /* before the filter */
+  uint8_t last_command;   /* before the filter */
   uint64_t since_command; /* bytes since it */
   uint64_t filtered;      /* for the filter's own use */
   bool no_delays;         /* delays pass no time */

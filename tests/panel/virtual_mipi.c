@@ -25,7 +25,8 @@ static void reset(virtual_panel *panel) {
   panel->window_full = true;
 }
 
-static void set_range(virtual_panel *panel, const uint8_t *parameters, uint16_t size, const char *what, uint16_t *first, uint16_t *last) {
+static void set_range(virtual_panel *panel, const uint8_t *parameters, uint16_t size, const char *what,
+                      uint16_t *first, uint16_t *last) {
   *first = (uint16_t)(parameters[0] << 8 | parameters[1]);
   *last = (uint16_t)(parameters[2] << 8 | parameters[3]);
   if (*first > *last || *last >= size) {
@@ -49,14 +50,16 @@ static void execute(virtual_panel *panel, uint8_t command, const uint8_t *parame
       panel->wake_at_us = panel->now_us + 120000;
       break;
     case 0x10: /* SLPIN */
-      if (panel->now_us < panel->settled_at_us) virtual_complain(panel, "sleep in less than 120 ms after sleep out");
+      if (panel->now_us < panel->settled_at_us)
+        virtual_complain(panel, "sleep in less than 120 ms after sleep out");
       panel->awake = false;
       panel->ready_at_us = panel->now_us + panel->model->sleep_in_us;
       panel->wake_at_us = panel->now_us + 120000;
       break;
     case 0x11: /* SLPOUT */
       if (panel->now_us < panel->wake_at_us) {
-        virtual_complain(panel, "sleep out %lu us too early: 120 ms after a reset or sleep in", (unsigned long)(panel->wake_at_us - panel->now_us));
+        virtual_complain(panel, "sleep out %lu us too early: 120 ms after a reset or sleep in",
+                         (unsigned long)(panel->wake_at_us - panel->now_us));
       }
       panel->awake = true;
       panel->ready_at_us = panel->now_us + 5000;
@@ -66,19 +69,27 @@ static void execute(virtual_panel *panel, uint8_t command, const uint8_t *parame
     case 0x21: panel->invert = true; break;
     case 0x28: panel->on = false; break;
     case 0x29: /* DISPON */
-      if (!panel->awake) virtual_complain(panel, "display on while asleep");
-      else if (panel->now_us < panel->settled_at_us) virtual_complain(panel, "display on less than 120 ms after sleep out");
+      if (!panel->awake)
+        virtual_complain(panel, "display on while asleep");
+      else if (panel->now_us < panel->settled_at_us)
+        virtual_complain(panel, "display on less than 120 ms after sleep out");
       panel->on = true;
       break;
-    case 0x2A: set_range(panel, parameters, panel->model->memory_width, "columns", &panel->x0, &panel->x1); break;
-    case 0x2B: set_range(panel, parameters, panel->model->memory_height, "rows", &panel->y0, &panel->y1); break;
+    case 0x2A:
+      set_range(panel, parameters, panel->model->memory_width, "columns", &panel->x0, &panel->x1);
+      break;
+    case 0x2B:
+      set_range(panel, parameters, panel->model->memory_height, "rows", &panel->y0, &panel->y1);
+      break;
     case 0x2C:
       panel->windows++;
       virtual_window(panel);
       break;
     case 0x36:
       panel->direction = parameters[0];
-      if (parameters[0] & MV) virtual_complain(panel, "MADCTL %02X exchanges rows and columns: strips would be columns", parameters[0]);
+      if (parameters[0] & MV)
+        virtual_complain(panel, "MADCTL %02X exchanges rows and columns: strips would be columns",
+                         parameters[0]);
       break;
     case 0x3A: set_depth(panel, parameters[0]); break;
     default: break; /* voltages, gamma and the like */
@@ -87,8 +98,10 @@ static void execute(virtual_panel *panel, uint8_t command, const uint8_t *parame
 
 static void put(virtual_panel *panel, uint8_t red, uint8_t green, uint8_t blue) {
   const virtual_model *model = panel->model;
-  if (!panel->awake) virtual_complain(panel, "pixels while asleep");
-  else if (panel->now_us < panel->settled_at_us) virtual_complain(panel, "pixels less than 120 ms after sleep out");
+  if (!panel->awake)
+    virtual_complain(panel, "pixels while asleep");
+  else if (panel->now_us < panel->settled_at_us)
+    virtual_complain(panel, "pixels less than 120 ms after sleep out");
   if (!virtual_writable(panel)) return;
   {
     const uint16_t column = (uint16_t)(panel->direction & MX ? model->memory_width - 1 - panel->x : panel->x);
@@ -117,7 +130,8 @@ static void pixel_byte(virtual_panel *panel, uint8_t byte) {
     panel->parts = 0;
     put(panel, from5(pixel >> 11), from6(pixel >> 5 & 63), from5(pixel & 31));
   } else if (panel->depth == 3 && panel->parts == 3) {
-    const uint8_t second[3] = {(uint8_t)((p[1] & 15) * 17), (uint8_t)((p[2] >> 4) * 17), (uint8_t)((p[2] & 15) * 17)};
+    const uint8_t second[3] = {(uint8_t)((p[1] & 15) * 17), (uint8_t)((p[2] >> 4) * 17),
+                               (uint8_t)((p[2] & 15) * 17)};
     panel->parts = 0;
     put(panel, (uint8_t)((p[0] >> 4) * 17), (uint8_t)((p[0] & 15) * 17), (uint8_t)((p[1] >> 4) * 17));
     put(panel, second[0], second[1], second[2]);
@@ -129,8 +143,10 @@ static void pixel_byte(virtual_panel *panel, uint8_t byte) {
 
 static uint32_t shown(const virtual_panel *panel, uint16_t x, uint16_t y) {
   const virtual_model *model = panel->model;
-  const uint16_t column = (uint16_t)(model->mirror_x ? model->memory_width - 1 - x - model->glass_x : x + model->glass_x);
-  const uint16_t row = (uint16_t)(model->mirror_y ? model->memory_height - 1 - y - model->glass_y : y + model->glass_y);
+  const uint16_t column =
+      (uint16_t)(model->mirror_x ? model->memory_width - 1 - x - model->glass_x : x + model->glass_x);
+  const uint16_t row =
+      (uint16_t)(model->mirror_y ? model->memory_height - 1 - y - model->glass_y : y + model->glass_y);
   const uint32_t colour = panel->memory[(uint32_t)row * model->memory_width + column];
   if (!panel->awake) return 0;
   return panel->invert != model->inverted ? colour ^ 0xFFFFFF : colour;
@@ -162,12 +178,15 @@ static const virtual_command st7735_commands[] = {
 
 #define MODEL .family = &mipi, .reset_low_us = 10, .reset_wait_us = 5000
 #define ST7789 \
-  MODEL, .commands = st7789_commands, .memory_width = 240, .memory_height = 320, .inverted = true, .twelve_bits = true, .hz_max = 62500000, \
-         .sleep_in_us = 5000
+  MODEL, .commands = st7789_commands, .memory_width = 240, .memory_height = 320, .inverted = true, \
+         .twelve_bits = true, .hz_max = 62500000, .sleep_in_us = 5000
 
 const virtual_model virtual_st7789_240 = {ST7789, .name = "st7789-240", .width = 240, .height = 240};
-const virtual_model virtual_st7789_135 = {ST7789, .name = "st7789-135", .width = 135, .height = 240, .glass_x = 52, .glass_y = 40};
+const virtual_model virtual_st7789_135 = {ST7789,        .name = "st7789-135", .width = 135,
+                                          .height = 240, .glass_x = 52,        .glass_y = 40};
 const virtual_model virtual_st7789_320 = {ST7789, .name = "st7789-320", .width = 240, .height = 320};
+const virtual_model virtual_st7789_170 = {ST7789, .name = "st7789-170", .width = 170, .height = 320,
+                                          .glass_x = 35};
 const virtual_model virtual_ili9341 = {MODEL,
                                        .name = "ili9341",
                                        .commands = ili9341_commands,

@@ -43,7 +43,8 @@ void virtual_reset(virtual_panel *panel, bool active) {
   if (!panel->in_reset) return;
   panel->in_reset = false;
   if (panel->now_us - panel->reset_since_us < model->reset_low_us) {
-    virtual_complain(panel, "reset was held for %lu us, the data sheet asks for %lu", (unsigned long)(panel->now_us - panel->reset_since_us),
+    virtual_complain(panel, "reset was held for %lu us, the data sheet asks for %lu",
+                     (unsigned long)(panel->now_us - panel->reset_since_us),
                      (unsigned long)model->reset_low_us);
   }
   panel->command_open = false;
@@ -54,14 +55,17 @@ void virtual_reset(virtual_panel *panel, bool active) {
 }
 
 void virtual_whole_pixels(virtual_panel *panel) {
-  if (panel->parts != 0) virtual_complain(panel, "%u odd byte%s after pixel %lu", panel->parts, panel->parts > 1 ? "s" : "", panel->pixels);
+  if (panel->parts != 0)
+    virtual_complain(panel, "%u odd byte%s after pixel %lu", panel->parts, panel->parts > 1 ? "s" : "",
+                     panel->pixels);
   panel->parts = 0;
 }
 
 /* A new command, or the end: was the last one complete? */
 static void close_command(virtual_panel *panel) {
   if (panel->command_open && panel->wanted != VIRTUAL_PIXELS && panel->got < panel->wanted) {
-    virtual_complain(panel, "command %02X got %u parameters, it takes %u", panel->command, panel->got, panel->wanted);
+    virtual_complain(panel, "command %02X got %u parameters, it takes %u", panel->command, panel->got,
+                     panel->wanted);
   }
   virtual_whole_pixels(panel);
   panel->command_open = false;
@@ -74,13 +78,15 @@ static void check_wires(virtual_panel *panel, bool data, uint8_t byte) {
   if (panel->in_reset) virtual_complain(panel, "%s %02X while reset is active", what, byte);
   if (panel->hz == 0) virtual_complain(panel, "%s %02X before the clock was configured", what, byte);
   if (panel->hz > panel->model->hz_max) {
-    virtual_complain(panel, "%s %02X at %lu Hz, the data sheet allows %lu", what, byte, (unsigned long)panel->hz,
-                     (unsigned long)panel->model->hz_max);
+    virtual_complain(panel, "%s %02X at %lu Hz, the data sheet allows %lu", what, byte,
+                     (unsigned long)panel->hz, (unsigned long)panel->model->hz_max);
   } else if (panel->hz > 10000000 && !panel->on) {
-    virtual_complain(panel, "%s %02X at %lu Hz before the display is on: initialise at 10 MHz at most", what, byte, (unsigned long)panel->hz);
+    virtual_complain(panel, "%s %02X at %lu Hz before the display is on: initialise at 10 MHz at most", what,
+                     byte, (unsigned long)panel->hz);
   }
   if (panel->spi_mode != 0 && panel->spi_mode != 3) {
-    virtual_complain(panel, "%s %02X in SPI mode %u: bits are taken as the clock rises, mode 0 or 3", what, byte, panel->spi_mode);
+    virtual_complain(panel, "%s %02X in SPI mode %u: bits are taken as the clock rises, mode 0 or 3", what,
+                     byte, panel->spi_mode);
   }
 }
 
@@ -108,8 +114,10 @@ static void begin_command(virtual_panel *panel, uint8_t byte) {
     return;
   }
   panel->command_open = true;
-  if (panel->wanted == VIRTUAL_PIXELS) panel->model->family->execute(panel, byte, panel->parameters);
-  else finish_parameters(panel);
+  if (panel->wanted == VIRTUAL_PIXELS)
+    panel->model->family->execute(panel, byte, panel->parameters);
+  else
+    finish_parameters(panel);
 }
 
 void virtual_feed(virtual_panel *panel, bool data, uint8_t byte) {
@@ -122,11 +130,13 @@ void virtual_feed(virtual_panel *panel, bool data, uint8_t byte) {
   } else if (!data) {
     begin_command(panel, byte);
   } else if (parameter) {
-    virtual_complain(panel, "data byte %02X, but command %02X still waits for %u parameters", byte, panel->command, panel->wanted - panel->got);
+    virtual_complain(panel, "data byte %02X, but command %02X still waits for %u parameters", byte,
+                     panel->command, panel->wanted - panel->got);
   } else if (family->pixels_without_command || (panel->command_open && panel->wanted == VIRTUAL_PIXELS)) {
     family->pixel_byte(panel, byte);
   } else if (panel->command_open) {
-    virtual_complain(panel, "data byte %02X after command %02X, which takes %u parameters", byte, panel->command, panel->wanted);
+    virtual_complain(panel, "data byte %02X after command %02X, which takes %u parameters", byte,
+                     panel->command, panel->wanted);
   } else {
     virtual_complain(panel, "data byte %02X without a command", byte);
   }
@@ -149,7 +159,8 @@ void virtual_next(virtual_panel *panel) {
 
 bool virtual_writable(virtual_panel *panel) {
   if (panel->window_full) {
-    virtual_complain(panel, "pixels go on past the end of the window (%u..%u, %u..%u)", panel->x0, panel->x1, panel->y0, panel->y1);
+    virtual_complain(panel, "pixels go on past the end of the window (%u..%u, %u..%u)", panel->x0, panel->x1,
+                     panel->y0, panel->y1);
     return false;
   }
   return true;

@@ -47,7 +47,7 @@ typedef struct virtual_model {
   const virtual_command *commands; /* ends with a count of VIRTUAL_PIXELS and first > last */
   uint16_t memory_width, memory_height;   /* pixels */
   uint16_t width, height;                 /* of the glass */
-  uint16_t glass_x, glass_y;              /* memory column and row (OLED: segment and common) of the glass's corner, counted from the mirrored side if mirrored */
+  uint16_t glass_x, glass_y;              /* memory column and row of the glass's corner, counted from the mirrored side if mirrored */
   bool mirror_x, mirror_y;                /* the glass is mounted the other way */
   bool bgr;                               /* its colour filter is blue, green, red */
   bool inverted;                          /* it needs inversion to be on */
@@ -82,8 +82,8 @@ struct virtual_panel {
   uint32_t memory[VIRTUAL_MEMORY_MAX]; /* 0xRRGGBB as the eye would see it if not inverted */
 };
 
-extern const virtual_model virtual_st7789_240, virtual_st7789_135, virtual_st7789_320, virtual_ili9341, virtual_st7735_128, virtual_ssd1351,
-    virtual_ssd0323, virtual_ssd1322, virtual_ssd1306;
+extern const virtual_model virtual_st7789_240, virtual_st7789_135, virtual_st7789_320, virtual_st7789_170, virtual_ili9341, virtual_st7735_128,
+    virtual_ssd1351, virtual_ssd0323, virtual_ssd1327, virtual_ssd1322, virtual_ssd1306;
 
 /* The model of that name, or NULL. */
 const virtual_model *virtual_model_named(const char *name);

@@ -59,7 +59,7 @@ static int bus_wait(void *context) {
 
 /* SSIClk = system clock / (CPSDVSR (1 + SCR)), CPSDVSR 2, 4, ... 254 [14.3.1]: every even divider that is such a product. */
 static int configure(void *context, uint32_t hz, uint8_t spi_mode) {
-  const uint32_t wanted = hz == 0 ? 0 : (CPU_HZ / 2u + hz - 1u) / hz; /* half the divider, at least */
+  const uint32_t wanted = hz == 0 ? 0 : (CPU_HZ / 2u - 1u) / hz + 1u; /* half the divider, at least */
   uint32_t prescale = 0, half, best = UINT32_MAX, rate = 0;
   if (hz == 0 || (spi_mode != 0 && spi_mode != 3)) return FC_ERR_UNSUPPORTED;
   for (half = 1; half <= 127; half++) {

@@ -1,5 +1,7 @@
-"""Brings a board's firmware onto the board itself. Each function takes the board's name and make_image(), which builds the image; it asks for what else it
-needs first. No board or no tool is a Failure."""
+"""Brings a board's firmware onto the board itself.
+
+Each function takes the board's name and make_image(), which builds the image; it asks for what else it needs first. No board or no tool is a Failure.
+"""
 import os
 import pathlib
 
