@@ -46,7 +46,8 @@ def check_steps(report, simulator, name, steps, buttons=(), upside_down=False):
 
 
 def pictures(report, simulator):
-    # Forwards to step 40; there reverse, then a pause of three frames. Stop n is that of frame n - 2, when n - 1 is drawn next: buttons count for frame n.
+    # Forwards to step 40; there reverse, then a pause of three frames. Stop n is that of frame n - 2, when n - 1 is drawn next: buttons
+    # count for frame n.
     steps = list(range(41)) + list(range(39, 29, -1)) + [30] * 4 + list(range(29, 24, -1))
     check_steps(report, simulator, "pico", steps,
                 [f"41:{REVERSE}", "42:0", f"51:{PAUSE}", "52:0", f"55:{PAUSE}", "56:0"])

@@ -116,7 +116,8 @@ export class Board {
     const watchdog = mcu.peripherals[0x40058], write = watchdog.writeUint32.bind(watchdog);
     watchdog.tickEnable = false;
     watchdog.writeUint32 = (offset, value) => {
-      if (offset === 0x2c && (value & 0x1ff) !== CRYSTAL_MHZ) this.problem(`the timer's tick comes every ${value & 0x1ff} periods of the crystal, not every 12`);
+      const periods = value & 0x1ff;
+      if (offset === 0x2c && periods !== CRYSTAL_MHZ) this.problem(`the timer's tick comes every ${periods} periods of the crystal, not every 12`);
       write(offset, value);
     };
     mcu.findPeripheral = (address) => {
@@ -136,9 +137,13 @@ export class Board {
 
   expect_pin(pin, name, functions, is_output) {
     const gpio = this.mcu.gpio[pin];
-    if (!functions.includes(gpio.functionSelect)) this.problem(`GPIO ${pin} (${name}) has function ${gpio.functionSelect}, it takes ${functions.join(' or ')}`);
-    else if (gpio.outputDisable) this.problem(`the pad of GPIO ${pin} (${name}) has its output disabled`);
-    else if (is_output && !gpio.outputEnable) this.problem(`GPIO ${pin} (${name}) does not drive`);
+    if (!functions.includes(gpio.functionSelect)) {
+      this.problem(`GPIO ${pin} (${name}) has function ${gpio.functionSelect}, it takes ${functions.join(' or ')}`);
+    } else if (gpio.outputDisable) {
+      this.problem(`the pad of GPIO ${pin} (${name}) has its output disabled`);
+    } else if (is_output && !gpio.outputEnable) {
+      this.problem(`GPIO ${pin} (${name}) does not drive`);
+    }
   }
 
   /* Once, when the first byte goes out: what the emulator does not look at. */
@@ -253,7 +258,8 @@ export class Board {
     this.flash.check_in_place();
   }
 
-  /* Runs to the next time that `address` is reached: true, or false when `limit_ms` of the chip's time have passed or it stopped (`stopped` says why). */
+  /* Runs to the next time that `address` is reached: true; or false when `limit_ms` of the chip's time have passed or it stopped, and `stopped`
+   * says why. */
   run_to(address, limit_ms) {
     const { core } = this, limit = this.now + limit_ms * 1e6;
     do {
