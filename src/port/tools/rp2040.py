@@ -13,7 +13,7 @@ from run import execute
 TOOL = "node"
 HERE = pathlib.Path(__file__).resolve().parent / "rp2040"
 NOTE = ("Cycles are those of a Cortex-M0+ whose code comes from flash without waiting; bits take their time on the wires. "
-        "There is one core.")
+        "Two cores never wait for each other at memory.")
 
 
 class Seen(typing.NamedTuple):
