@@ -47,6 +47,12 @@ constexpr double max_coordinate = 1e30;
   throw UserError(path + ":" + std::to_string(line) + ": " + sentence);
 }
 
+/* The word that a line begins with. */
+std::string_view keyword_of(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  return line.substr(0, line.find_first_of(" \t\r\n"));
+}
+
 /* What makes a text no OBJ, or one too large, is found before tinyobjloader builds anything from it. */
 void check_lines(const std::string &path, std::string_view text) {
   std::size_t faces = 0, number = 0;
@@ -62,20 +68,36 @@ void check_lines(const std::string &path, std::string_view text) {
       if ((byte < 0x20 && byte != '\t' && byte != '\r') || byte == 0x7f)
         fail(path, number, "not a text file; save the model as Wavefront OBJ");
     }
-    const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
-    const std::string_view word = line.substr(first, 2);
-    if ((word == "f " || word == "f\t") && ++faces > max_faces)
+    if (keyword_of(line) == "f" && ++faces > max_faces)
       fail(path, number, "more than 65535 faces; simplify the model");
   }
 }
 
-/* A read-only stream over bytes that stay where they are: no second copy of a large file. */
-class Bytes : public std::streambuf {
+/* A read-only stream over bytes that stay where they are, so that a large file is there once: only the lines that are used here. Others (vw, t, l, p, ...) would
+ * be read by parts of tinyobjloader that trust them. */
+class UsedLines : public std::streambuf {
 public:
-  explicit Bytes(std::string_view text) {
-    char *const begin = const_cast<char *>(text.data()); /* only read from */
-    setg(begin, begin, begin + text.size());
+  explicit UsedLines(std::string_view text) : rest_(text) {}
+
+protected:
+  int_type underflow() override {
+    while (!rest_.empty()) {
+      const std::size_t end = rest_.find('\n');
+      const std::string_view line = rest_.substr(0, end == std::string_view::npos ? rest_.size() : end + 1);
+      rest_.remove_prefix(line.size());
+      const std::string_view keyword = keyword_of(line);
+      for (const char *const used : {"v", "vn", "vt", "f", "o", "g", "usemtl", "mtllib"}) {
+        if (keyword != used) continue;
+        char *const begin = const_cast<char *>(line.data()); /* only read from */
+        setg(begin, begin, begin + line.size());
+        return traits_type::to_int_type(*begin);
+      }
+    }
+    return traits_type::eof();
   }
+
+private:
+  std::string_view rest_;
 };
 
 /* Materials from beside the model; what is missing is told, and grey. */
@@ -214,8 +236,8 @@ SceneFile read_obj_text(const std::string &name, std::string_view text, const st
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;
   std::string warning, error;
-  Bytes bytes(text);
-  std::istream stream(&bytes);
+  UsedLines lines(text);
+  std::istream stream(&lines);
   if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, &reader, false, false)) {
     std::replace(error.begin(), error.end(), '\n', ' ');
     fail(name, "not a readable OBJ: " + error + "; save the model again");
