@@ -53,6 +53,65 @@ std::string_view keyword_of(std::string_view line) {
   return line.substr(0, line.find_first_of(" \t\r\n"));
 }
 
+/* Splits the leading digits off. */
+std::size_t take_digits(std::string_view &text) {
+  const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
+  text.remove_prefix(count);
+  return count;
+}
+
+void take_sign(std::string_view &text) {
+  if (!text.empty() && (text[0] == '-' || text[0] == '+')) text.remove_prefix(1);
+}
+
+/* A decimal with an exponent of at most three digits. */
+bool is_number(std::string_view text) {
+  take_sign(text);
+  std::size_t digits = take_digits(text);
+  if (!text.empty() && text[0] == '.') {
+    text.remove_prefix(1);
+    digits += take_digits(text);
+  }
+  if (digits == 0) return false;
+  if (text.empty()) return true;
+  if (text[0] != 'e' && text[0] != 'E') return false;
+  text.remove_prefix(1);
+  take_sign(text);
+  const std::size_t exponent = take_digits(text);
+  return text.empty() && exponent >= 1 && exponent <= 3;
+}
+
+/* A corner of a face: 1, 1/2, 1//3 or 1/2/3, each number of at most nine digits, perhaps negative. */
+bool is_corner(std::string_view text) {
+  for (int part = 0; part < 3; part++) {
+    if (!text.empty() && text[0] == '-') text.remove_prefix(1);
+    const std::size_t digits = take_digits(text);
+    if (digits > 9 || (digits == 0 && part != 1)) return false;
+    if (text.empty()) return digits > 0;
+    if (text[0] != '/') return false;
+    text.remove_prefix(1);
+  }
+  return false;
+}
+
+/* What stands behind the keyword, word by word: tinyobjloader takes a wrong number for 0, and a huge exponent overflows in it. */
+void check_words(const std::string &path, std::size_t number, std::string_view keyword, std::string_view line) {
+  const bool face = keyword == "f", numbers = keyword == "v" || keyword == "vn" || keyword == "vt";
+  if (!face && !numbers) return;
+  constexpr const char *blanks = " \t\r";
+  std::size_t words = 0;
+  line.remove_prefix(static_cast<std::size_t>(keyword.data() - line.data()) + keyword.size());
+  for (std::size_t begin = line.find_first_not_of(blanks); begin != std::string_view::npos && line[begin] != '#';) {
+    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
+    const std::string_view word = line.substr(begin, end - begin);
+    if (face ? !is_corner(word) : !is_number(word))
+      fail(path, number, std::string(face ? "a corner that is not written as 1, 1/2, 1//3 or 1/2/3" : "a word that is not a decimal number") + "; correct it");
+    words++;
+    begin = line.find_first_not_of(blanks, end);
+  }
+  if (words < (keyword == "vt" ? 1u : 3u)) fail(path, number, "fewer than three " + std::string(face ? "corners" : "numbers") + "; complete the line");
+}
+
 /* What makes a text no OBJ, or one too large, is found before tinyobjloader builds anything from it. */
 void check_lines(const std::string &path, std::string_view text) {
   std::size_t faces = 0, number = 0;
@@ -68,8 +127,9 @@ void check_lines(const std::string &path, std::string_view text) {
       if ((byte < 0x20 && byte != '\t' && byte != '\r') || byte == 0x7f)
         fail(path, number, "not a text file; save the model as Wavefront OBJ");
     }
-    if (keyword_of(line) == "f" && ++faces > max_faces)
-      fail(path, number, "more than 65535 faces; simplify the model");
+    const std::string_view keyword = keyword_of(line);
+    if (keyword == "f" && ++faces > max_faces) fail(path, number, "more than 65535 faces; simplify the model");
+    check_words(path, number, keyword, line);
   }
 }
 
