@@ -10,8 +10,7 @@
 #include <string.h>
 
 /*
- * FC_ROM: attribute of constant tables. FC_READ(to, from, bytes): copies an object of constant data to RAM; both are pointers to its
- * type.
+ * FC_ROM: attribute of constant tables. FC_READ(to, from, bytes): copies constant data to RAM.
  *
  * Everything constant that the core looks at (scenes, kinds of shape) is read through FC_READ, so that chips
  * whose flash is not in the data address space only need these two. Default: AVR's program memory on AVR,
@@ -27,7 +26,7 @@
 #define FC_ROM
 #endif
 #ifndef FC_READ
-#define FC_READ(to, from, bytes) ((void)(*(to) = *(from))) /* of a type: short ones need no call */
+#define FC_READ(to, from, bytes) ((void)memcpy((to), (from), (bytes)))
 #endif
 
 /* A pointer that is known to be a multiple of 4, or of 2. */

@@ -441,11 +441,7 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
   fc_material material;
   uint16_t diffuse[3], ambient[3];
   uint8_t i, level[3];
-#ifdef FC_ROM_FAR
-  FC_READ(&material, frame->scene.materials + scan->form->material, sizeof material);
-#else
-  material = frame->scene.materials[scan->form->material];
-#endif
+  FC_READ_ONE(&material, frame->scene.materials + scan->form->material);
   scan->light = frame->light;
   if (frame->light == FC_LIGHT_NONE && flat_tint(frame, tint, &material, scan->target->format)) return;
   diffuse[0] = material.diffuse.r;

@@ -18,7 +18,7 @@ FC_COLD bool fc_cursor_next(fc_cursor *cursor) {
   if (cursor->table > 0) cursor->bytes += fc_kind_of(cursor)->memory(&cursor->group.shapes);
   if (cursor->table == space->scene->shape_count) return false;
   cursor->group.first = (uint16_t)(cursor->group.first + cursor->group.shapes.count);
-  FC_READ(&cursor->group.shapes, space->scene->shapes + cursor->table, sizeof cursor->group.shapes);
+  FC_READ_ONE(&cursor->group.shapes, space->scene->shapes + cursor->table);
 #ifdef FC_ROM_FAR
   FC_READ(&cursor->kind, cursor->group.shapes.kind, sizeof cursor->kind);
 #endif
@@ -94,8 +94,8 @@ FC_COLD int fc_scene_check(const fc_scene *scene_rom) {
 static FC_COLD bool search_bvh(const fc_space *space, fc_reach *reach, fc_visit *visit, void *context) {
   fc_bvh bvh;
   fc_bvh_kind kind;
-  FC_READ(&bvh, space->scene->bvh, sizeof bvh);
-  FC_READ(&kind, bvh.kind, sizeof kind);
+  FC_READ_ONE(&bvh, space->scene->bvh);
+  FC_READ_ONE(&kind, bvh.kind);
   return kind.search(&bvh, space, reach, visit, context);
 }
 
