@@ -6,6 +6,7 @@
 #include "fixcast/error.h"
 #include "fixcast/render.h"
 #include "scan.h"
+#include "search.h"
 #include "space.h"
 #include "view.h"
 
@@ -23,7 +24,7 @@ static FC_COLD size_t memory_of(const fc_scene *scene) {
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) {
   }
-  return cursor.bytes + (size_t)scene->light_count * 3 * sizeof(int64_t);
+  return cursor.bytes + (size_t)scene->light_count * 3 * sizeof(int64_t) + fc_search_marks(scene);
 }
 
 FC_COLD size_t fc_frame_memory(const fc_scene *scene_rom, int *error) {
@@ -167,6 +168,7 @@ FC_COLD int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_came
   size_t bytes;
   int error;
   uint64_t epsilon;
+  uint8_t *casters = NULL;
   if (frame == NULL || scene == NULL || camera_rom == NULL) return FC_ERR_NULL;
   if (width < 1 || height < 1 || width > FC_SIZE_MAX || height > FC_SIZE_MAX) return FC_ERR_SIZE;
   memset(frame, 0, sizeof *frame);
@@ -186,12 +188,14 @@ FC_COLD int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_came
   if (frame->options.profile == FC_PROFILE_HALF) halve(frame);
   choose_grid(frame);
   if (bytes > 0) {
-    size_t shape_bytes = bytes - (size_t)frame->scene.light_count * 3 * sizeof(int64_t);
+    const size_t mark_bytes = fc_search_marks(&frame->scene);
+    size_t shape_bytes = bytes - (size_t)frame->scene.light_count * 3 * sizeof(int64_t) - mark_bytes;
     int64_t *lights = (int64_t *)memory + shape_bytes / sizeof(int64_t);
     place_shapes(frame, memory);
     error = place_lights(frame, lights);
     if (error != FC_OK) return error;
     frame->lights = lights;
+    if (mark_bytes > 0) casters = (uint8_t *)memory + (bytes - mark_bytes);
   }
   epsilon = fc_num_round(fc_num_from_u64((uint64_t)frame->options.epsilon, frame->options.epsilon_exponent),
                          frame->view.fine - frame->view.shift);
@@ -200,5 +204,10 @@ FC_COLD int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_came
   set_far(frame);
   set_light(frame);
   project_shapes(frame);
+  if (casters != NULL && frame->light == FC_LIGHT_ONE) {
+    const fc_space space = fc_space_of_frame(frame);
+    fc_search_mark(&space, casters);
+    frame->casters = casters;
+  }
   return FC_OK;
 }

@@ -99,6 +99,26 @@ static FC_COLD bool search_bvh(const fc_space *space, fc_reach *reach, fc_visit 
   return kind.search(&bvh, space, reach, visit, context);
 }
 
+FC_COLD size_t fc_search_marks(const fc_scene *scene) {
+  const fc_space space = fc_space_of_world(scene);
+  fc_cursor cursor;
+  fc_bvh bvh;
+  if (scene->bvh == NULL) return 0;
+  FC_READ_ONE(&bvh, scene->bvh);
+  fc_cursor_start(&cursor, &space);
+  while (bvh.count > 0 && fc_cursor_next(&cursor))
+    if (fc_kind_of(&cursor)->casts != NULL) return (((size_t)2 << bvh.depth) + 63) / 64 * 8; /* nodes 1 .. 2^(depth + 1) - 1 */
+  return 0;
+}
+
+FC_COLD void fc_search_mark(const fc_space *space, uint8_t *bits) {
+  fc_bvh bvh;
+  fc_bvh_kind kind;
+  FC_READ_ONE(&bvh, space->scene->bvh);
+  FC_READ_ONE(&kind, bvh.kind);
+  kind.mark(&bvh, space, bits);
+}
+
 FC_COLD bool fc_space_search(const fc_space *space, fc_reach *reach, fc_visit *visit, void *context) {
   bool sieve = reach != NULL && space->scene->bvh != NULL;
   fc_cursor cursor;
