@@ -10,8 +10,7 @@
 #include <string.h>
 
 /*
- * FC_ROM: attribute of constant tables. FC_READ(to, from, bytes): copies constant data to RAM. FC_LOAD(to, from): one object, both
- * pointers to its type.
+ * FC_ROM: attribute of constant tables. FC_READ(to, from, bytes): copies constant data to RAM.
  *
  * Everything constant that the core looks at (scenes, kinds of shape) is read through these, so that chips
  * whose flash is not in the data address space only need the first two. Default: AVR's program memory on AVR,
@@ -26,11 +25,8 @@
 #ifndef FC_ROM
 #define FC_ROM
 #endif
-#ifdef FC_READ
-#define FC_LOAD(to, from) FC_READ((to), (from), sizeof *(to))
-#else
+#ifndef FC_READ
 #define FC_READ(to, from, bytes) ((void)memcpy((to), (from), (bytes)))
-#define FC_LOAD(to, from) ((void)(*(to) = *(from))) /* a short object needs no call */
 #endif
 
 /* A pointer that is known to be a multiple of 4, or of 2. */

@@ -77,12 +77,12 @@ FC_COLD void fc_sample_put(const fc_sampler *sampler, uint16_t x, uint16_t row, 
 static FC_COLD int set_up(fc_sampler *sampler, fc_pattern *pattern, const fc_frame *frame, const fc_sampling *how_rom) {
   fc_sampling *how = &sampler->how;
   if (frame == NULL || how_rom == NULL) return FC_ERR_NULL;
-  FC_LOAD(how, how_rom);
+  FC_READ_ONE(how, how_rom);
   if (how->pattern == NULL || how->filter > FC_FILTER_TENT) return FC_ERR_SAMPLING;
-  FC_LOAD(pattern, how->pattern);
+  FC_READ_ONE(pattern, how->pattern);
   if (!pattern->check(how)) return FC_ERR_SAMPLING;
   if (how->lens.kind == NULL) return FC_ERR_LENS;
-  FC_LOAD(&sampler->lens, how->lens.kind);
+  FC_READ_ONE(&sampler->lens, how->lens.kind);
   sampler->frame = *frame;
   return sampler->lens.prepare(&sampler->state, &sampler->frame, how->lens.data);
 }
