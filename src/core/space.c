@@ -5,6 +5,7 @@
 #include "fixcast/error.h"
 #include "layer.h"
 #include "search.h"
+#include "sky.h"
 
 FC_COLD void fc_cursor_start(fc_cursor *cursor, const fc_space *space) {
   cursor->space = space;
@@ -44,6 +45,9 @@ static int check_light(const fc_scene *scene, uint16_t index) {
       fc_abs32(light.position.y) > (uint32_t)FC_COORDINATE_MAX ||
       fc_abs32(light.position.z) > (uint32_t)FC_COORDINATE_MAX)
     return FC_ERR_COORDINATE;
+  if (light.directional > 1 || (light.directional == 1 && ((light.position.x | light.position.y | light.position.z) == 0 ||
+                                                           light.exponent != 0 || light.inverse_square != 0)))
+    return FC_ERR_DIRECTION;
   if (light.exponent < -31 || light.exponent > 32 || light.intensity_exponent < -40 || light.intensity_exponent > 40)
     return FC_ERR_EXPONENT;
   return FC_OK;
@@ -59,7 +63,7 @@ static FC_COLD int check_material(const fc_scene *scene, uint16_t index) {
     fc_layer_kind kind;
     int error;
     FC_READ(&layer, material.layers + i, sizeof layer);
-    if (layer.kind == NULL || layer.data == NULL) return FC_ERR_MATERIAL;
+    if (layer.kind == NULL) return FC_ERR_MATERIAL;
     FC_READ(&kind, layer.kind, sizeof kind);
     error = kind.check(layer.data);
     if (error != FC_OK) return error;
@@ -90,6 +94,16 @@ FC_COLD int fc_scene_check_tables(const fc_scene *scene) {
   }
   for (i = 0; i < scene->light_count; i++) {
     int error = check_light(scene, i);
+    if (error != FC_OK) return error;
+  }
+  if (scene->sky != NULL) {
+    fc_sky sky;
+    fc_sky_kind kind;
+    int error;
+    FC_READ(&sky, scene->sky, sizeof sky);
+    if (sky.kind == NULL) return FC_ERR_NULL;
+    FC_READ(&kind, sky.kind, sizeof kind);
+    error = kind.check(&sky);
     if (error != FC_OK) return error;
   }
   for (i = 0; i < scene->material_count; i++) {
