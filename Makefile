@@ -1,6 +1,6 @@
 # The front door for people. How things are built stands in CMakeLists.txt alone.
 .DEFAULT_GOAL := help
-.PHONY: help build demo test matrix firmware emulate flash report bench bench-update fuzz torture golden-check golden-update clean
+.PHONY: help build demo test matrix firmware emulate flash report gallery bench bench-update fuzz torture golden-check golden-update clean
 BUILD := build
 FUZZ_SECONDS := 600
 MAKEFLAGS += --no-print-directory
@@ -49,6 +49,11 @@ report: ## rewrite docs/REPORT.md and its plots from what `make bench` counted, 
 	@.ci/install report
 	@$(MAKE) build
 	@$(BUILD)/fixcast report
+
+gallery: ## rewrite docs/gallery: what goes wrong in a ray caster and the cure, in pictures with numbers (a minute)
+	@.ci/install report
+	@$(MAKE) build
+	@python3 host_sim/gallery.py $(BUILD)/fixcast docs/gallery
 
 bench: ## count what frames cost on chips, ours and other renderers', into build/bench/bench.json (several minutes)
 	@.ci/install bench

@@ -83,6 +83,17 @@ static FC_COLD int place_lights(const fc_frame *frame, int64_t *to) {
   return FC_OK;
 }
 
+/* An only light up to four times as far away as the geometry: a grid coarser by two bits at most holds it too, and the fast forms with it.
+ * Beyond that exactness is worth more. */
+static FC_COLD bool coarsen_for_light(fc_frame *frame, const int64_t light[3]) {
+  uint8_t bits;
+  if (frame->scene.light_count != 1) return false;
+  bits = fc_vector_bits(light);
+  if (bits <= 30 || bits > 32) return false;
+  frame->view.shift = (int16_t)(frame->view.shift + bits - 30);
+  return true;
+}
+
 static FC_COLD void measure_depth(fc_frame *frame) {
   uint64_t near = UINT64_MAX, far = 0;
   fc_space space = fc_space_of_frame(frame);
@@ -204,9 +215,10 @@ FC_COLD int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_came
     const size_t mark_bytes = fc_search_marks(&frame->scene);
     size_t shape_bytes = bytes - (size_t)frame->scene.light_count * 3 * sizeof(int64_t) - mark_bytes;
     int64_t *lights = (int64_t *)memory + shape_bytes / sizeof(int64_t);
-    place_shapes(frame, memory);
     error = place_lights(frame, lights);
+    if (error == FC_OK && coarsen_for_light(frame, lights)) error = place_lights(frame, lights);
     if (error != FC_OK) return error;
+    place_shapes(frame, memory);
     frame->lights = lights;
     if (mark_bytes > 0) casters = (uint8_t *)memory + (bytes - mark_bytes);
   }

@@ -1,0 +1,167 @@
+"""The fault gallery: what goes wrong in a ray caster, and the cure, side by side with numbers.
+
+gallery.py SIMULATOR DIRECTORY     writes the pictures of docs/LECTURES.md there
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import matplotlib
+
+matplotlib.use("Agg")
+matplotlib.rcParams["svg.hashsalt"] = "fixcast"
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy  # noqa: E402
+
+SCENES = pathlib.Path(__file__).resolve().parent / "scenes"
+INCH = 2.6
+
+
+class Gallery:
+    def __init__(self, simulator, directory):
+        self.simulator = simulator
+        self.directory = pathlib.Path(directory)
+        self.directory.mkdir(parents=True, exist_ok=True)
+        self.temporary = tempfile.TemporaryDirectory()
+        self.work = pathlib.Path(self.temporary.name)
+
+    def run(self, *arguments):
+        result = subprocess.run([self.simulator, *map(str, arguments)], capture_output=True, text=True)
+        if result.returncode != 0:
+            sys.exit(f"gallery: {' '.join(map(str, arguments))}: {result.stderr.strip()}")
+        return result.stdout
+
+    def picture(self, scene, *options):
+        """The frame, and what --json says of it."""
+        path = self.work / "frame.ppm"
+        facts = json.loads(self.run("render", scene, "-o", path, "--json", *options))
+        data = path.read_bytes()
+        magic, size, _, pixels = data.split(b"\n", 3)
+        assert magic == b"P6"
+        width, height = map(int, size.split())
+        return numpy.frombuffer(pixels, dtype=numpy.uint8).reshape(height, width, 3), facts
+
+    def compare(self, scene, *options):
+        return json.loads(self.run("compare", scene, "--json", *options))
+
+    def changed(self, scene, *edits):
+        """A copy of a scene with lines replaced; each must be there."""
+        text = (SCENES / f"{scene}.nff").read_text()
+        for old, new in edits:
+            if old not in text:
+                sys.exit(f"gallery: {scene}.nff has no line with {old!r}")
+            text = text.replace(old, new)
+        path = self.work / f"{scene}-changed.nff"
+        path.write_text(text)
+        return path
+
+    def save(self, name, title, panels, columns=None):
+        """panels: (picture, caption)."""
+        columns = columns or len(panels)
+        rows = -(-len(panels) // columns)
+        figure, axes = plt.subplots(rows, columns, figsize=(INCH * columns, (INCH + 0.45) * rows + 0.3), squeeze=False)
+        for axis in axes.flat:
+            axis.axis("off")
+        for axis, (picture, caption) in zip(axes.flat, panels):
+            axis.imshow(picture, interpolation="nearest")
+            axis.set_title(caption, fontsize=8)
+        figure.suptitle(title, fontsize=10)
+        figure.tight_layout()
+        path = self.directory / f"{name}.png"
+        figure.savefig(path, dpi=110, metadata={"Software": None})
+        plt.close(figure)
+        print(f"wrote {path}")
+
+
+def per_million(value):
+    return f"{value:.3g}"
+
+
+def acne(g):
+    """Shadow rays that start too near, and too far."""
+    s1 = SCENES / "s1.nff"
+    panels = []
+    for rule, name in (("none", "no offset: acne"), ("epsilon=0.0000001", "epsilon 1e-7: acne left"), ("epsilon=0.1", "epsilon 0.1: lights leak in"),
+                       ("epsilon=0.5", "epsilon 0.5: shadows leave their feet"), ("exact", "exact: no offset at all")):
+        size = ("--size", "128x128")
+        picture, _ = g.picture(s1, "--offset", rule, *size)
+        c = g.compare(s1, "--offset", rule, *size)
+        panels.append((picture[52:116, 0:90],
+                       f"{name}\n{per_million(c['false_shadow_ppm'])} false shadows, {per_million(c['leak_ppm'])} leaks\na million points"))
+    g.save("acne", "Self-shadowing and its cures (S1, a crop)", panels)
+
+
+def fighting(g):
+    """One frame, and what a z-buffer of 16 bits without the exact tie rule makes of it."""
+    fight = SCENES / "fight.nff"
+    picture, _ = g.picture(fight, "--size", "240x240")
+    counts = {name: g.compare(fight, "--depth-format", form)["wrong_order"]
+              for name, form in (("1/z as whole numbers", "inverse"), ("half floats", "half"), ("linear z", "linear"), ("e4m12 (ours)", "e4m12"))}
+    figure, axes = plt.subplots(1, 2, figsize=(8, 3.6))
+    axes[0].imshow(picture, interpolation="nearest")
+    axes[0].axis("off")
+    axes[0].set_title("orange cards in front of blue, gaps of 2^-8 to 2^-15\nof the distance: ours, 0 pixels wrong", fontsize=8)
+    values = list(counts.values())
+    axes[1].barh(list(counts), values, color="#c0603a")
+    axes[1].set_title("pixels in the wrong order with 16 bits of depth alone", fontsize=8)
+    for i, value in enumerate(values):
+        axes[1].text(value, i, f" {value}", va="center", fontsize=8)
+    figure.tight_layout()
+    figure.savefig(g.directory / "fighting.png", dpi=110, metadata={"Software": None})
+    plt.close(figure)
+    print(f"wrote {g.directory / 'fighting.png'}")
+
+
+def aliasing(g):
+    panels = []
+    for options, name in (((), "one"), (("--samples", "regular:4"), "4x4 regular"), (("--samples", "random:16"), "16 at random"),
+                          (("--samples", "jitter:16"), "4x4 jittered"), (("--samples", "quincunx"), "adaptive quincunx")):
+        picture, facts = g.picture(SCENES / "show.nff", "--size", "120x120", "--transfer", "srgb", *options)
+        rays = facts.get("rays", 120 * 120) / (120 * 120)
+        panels.append((picture[22:62, 36:96], f"{name}\n{rays:.2f} rays a pixel"))
+    g.save("aliasing", "Aliasing and its cures (a crop of 60 x 40 pixels)", panels)
+
+
+def gamma(g):
+    panels = [(g.picture(SCENES / "show.nff", "--transfer", name)[0], caption)
+              for name, caption in (("linear", "levels proportional to light"), ("gamma22", "gamma 2.2"), ("srgb", "sRGB"))]
+    g.save("gamma", "The same light on a display that shows level^2.2", panels)
+
+
+def falloff(g):
+    off = g.changed("box", ("#fc: falloff inverse-square", "#fc: falloff none"))
+    lines = off.read_text().splitlines()
+    for i, line in enumerate(lines):
+        if line.startswith("l "):
+            lines[i] = " ".join(line.split()[:4]) + " 0.9 0.88 0.8"
+    off.write_text("\n".join(lines) + "\n")
+    g.save("falloff", "Kepler's law", [(g.picture(SCENES / "box.nff", "--transfer", "srgb")[0], "inverse square"),
+                                       (g.picture(off, "--transfer", "srgb")[0], "no falloff")])
+
+
+def lenses(g):
+    panels = []
+    for lens, size, name in (("pinhole", "160x160", "pinhole"), ("orthographic", "160x160", "orthographic"), ("fisheye:180", "160x160", "fisheye, 180 degrees"),
+                             ("panorama", "320x160", "panorama, 360 x 180 degrees")):
+        panels.append((g.picture(SCENES / "show.nff", "--transfer", "srgb", "--lens", lens, "--samples", "regular:2", "--size", size)[0], name))
+    g.save("lenses", "Four cameras at one place", panels)
+
+
+def shading(g):
+    g.save("shading", "Flat, smooth, and Phong's highlight (80 triangles each)",
+           [(g.picture(SCENES / "smooth.nff", "--transfer", "srgb", "--size", "320x160", "--samples", "regular:2")[0], "")])
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit("usage: gallery.py SIMULATOR DIRECTORY")
+    gallery = Gallery(sys.argv[1], sys.argv[2])
+    for make in (acne, fighting, aliasing, gamma, falloff, lenses, shading):
+        make(gallery)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
