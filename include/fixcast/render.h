@@ -72,8 +72,8 @@ typedef struct fc_frame {
   uint32_t light_level[3]; /* of the only light, Q15 */
 } fc_frame;
 
-/* Bytes of working memory a frame of this scene needs (16 a vertex and 2 a triangle with 144 a table, 32 a sphere, 40 a plane, 24 a light, rounded
- * up), or an error through *error (may be NULL), then 0. */
+/* Bytes of working memory a frame of this scene needs (16 a vertex and 2 a triangle with 144 a table, 32 a sphere, 40 a plane, 24 a light;
+ * 2 bits a leaf of a hierarchy over triangles; rounded up), or an error through *error (may be NULL), then 0. */
 size_t fc_frame_memory(const fc_scene *scene, int *error);
 
 /* Checks the scene and the camera and brings them into camera space. `memory` is the caller's, aligned for int64_t,

@@ -84,6 +84,7 @@ static void make_scene(int trial, fc_vec3 *center, int32_t *size) {
   shapes[0].vertices = vertices;
   shapes[0].vertex_count = EACH + 2;
   shapes[0].count = (uint16_t)(n / 3);
+  shapes[0].cull = trial % 4 == 1; /* not closed, but it is a sieve too */
   shapes[1].kind = &fc_kind_plane;
   shapes[1].items = planes;
   shapes[1].count = (uint16_t)(trial % 3);
