@@ -61,7 +61,9 @@ static FC_COLD void follow(fc_shading *first, const void *data) {
       return;
     }
     fc_surface_complete(&surface);
-    fc_surface_round(&surface); /* the next ray starts there */
+    /* rounded to a unit, for the next ray starts there */
+    if (fc_point_at(fc_root_value(&surface.root), origin, direction, surface.point)) surface.point_error = 1;
+    fc_kind_of(&surface.at)->normal(&surface.form, surface.point, surface.normal);
     fc_shading_light(&shading, frame, first->space, &surface, &lit);
     fc_shading_radiance(&shading, radiance_q39);
     fc_radiance_add(first->added, weight, radiance_q39);

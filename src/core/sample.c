@@ -40,8 +40,6 @@ FC_COLD void fc_sample_trace(const fc_sampler *sampler, const int32_t place_q16[
       seen->object = surface.form.object;
       seen->depth = fc_depth_code(frame, &surface.root);
       fc_surface_complete(&surface);
-      /* Lights are asked from the rounded point, which is to be a good one. */
-      if ((origin[0] | origin[1] | origin[2]) != 0) fc_surface_round(&surface);
       fc_shade(frame, &sampler->space, &surface, seen->radiance_q39, &seen->lit);
       return;
     }

@@ -187,8 +187,3 @@ FC_COLD void fc_surface_complete(fc_surface *surface) {
   surface->inside = surface->root.q > 0 ||
                     (surface->root.q == 0 && fc_kind_of(&surface->at)->side(&surface->form, surface->origin) < 0);
 }
-
-FC_COLD void fc_surface_round(fc_surface *surface) {
-  if (fc_point_at(fc_root_value(&surface->root), surface->origin, surface->direction, surface->point)) surface->point_error = 1;
-  fc_kind_of(&surface->at)->normal(&surface->form, surface->point, surface->normal);
-}

@@ -87,9 +87,6 @@ bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primit
 /* Rounds the point and finds the normal. */
 void fc_surface_complete(fc_surface *surface);
 
-/* Rounds a completed surface's point to a unit, for those who go on from there, and finds its normal anew. */
-void fc_surface_round(fc_surface *surface);
-
 /* The primitive that a ray meets first (equal t: the lowest number), 0xffff for none. With `nearest`, only roots
  * within t_min < t < t_max count, and the first is stored there; without, t > 0 is all that is asked. */
 uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const int64_t direction[3], uint64_t t_min_q32,
