@@ -1,11 +1,14 @@
 # The front door for people. How things are built stands in CMakeLists.txt alone.
 .DEFAULT_GOAL := help
-.PHONY: help build demo test matrix report bench bench-update fuzz torture golden-update clean
+.PHONY: help build demo test matrix firmware emulate flash report bench bench-update fuzz torture golden-check golden-update clean
 BUILD := build
 FUZZ_SECONDS := 600
 MAKEFLAGS += --no-print-directory
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 CONFIGURE := cmake -S . -B $(BUILD) --log-level=WARNING
+
+# What stands in src/port/tools; packages only once there is a board to build for.
+board = $(if $(strip $(BOARD)),.ci/install $(2) &&) python3 src/port/tools/board.py $(1) "$(BOARD)"
 
 help: ## show this list
 	@echo "make TARGET:"
@@ -33,6 +36,15 @@ matrix: ## a table of the CRCs that every compiler, option and machine gives (tw
 	@cmake --build $(BUILD) --parallel $(JOBS) --target baked_scenes >/dev/null
 	@python3 tests/matrix/matrix.py --baked $(BUILD)/baked --work $(BUILD)/matrix --jobs $(JOBS)
 
+firmware: ## build the demo for a board, BOARD=NAME (without: the list), into build/firmware/NAME
+	@$(call board,build,firmware)
+
+emulate: ## run a board's demo in an emulator: build/emulate/NAME.png is what its panel shows, NAME.log what it says
+	@$(call board,emulate,firmware)
+
+flash: ## bring a board's demo onto the board that is connected
+	@$(call board,flash,firmware)
+
 report: ## rewrite docs/REPORT.md and its plots from what `make bench` counted, and the accuracy of every scene
 	@.ci/install report
 	@$(MAKE) build
@@ -52,7 +64,7 @@ fuzz: ## search for inputs that break the core or the scene reader, FUZZ_SECONDS
 	@.ci/install fuzz
 	@cmake -S tests/fuzz -B $(BUILD)/fuzz --log-level=WARNING >/dev/null
 	@cmake --build $(BUILD)/fuzz --parallel $(JOBS) >/dev/null
-	@python3 tests/fuzz/run.py --seconds $(FUZZ_SECONDS) --jobs $(JOBS) $(BUILD)/fuzz nff scene strips
+	@python3 tests/fuzz/run.py --seconds $(FUZZ_SECONDS) --jobs $(JOBS) $(BUILD)/fuzz nff obj view scene strips
 
 torture: ## a thousand million seeded hard cases against exact oracles, resumable (about 20 minutes)
 	@.ci/install test
@@ -61,9 +73,15 @@ torture: ## a thousand million seeded hard cases against exact oracles, resumabl
 	@$(BUILD)/tests/acne 10000000
 	@$(BUILD)/tests/torture --full --jobs 2 --state $(BUILD)/torture.state
 
-golden-update: ## rewrite tests/golden/crc.txt from what the simulator renders now
+golden-check: ## compare every scene with tests/golden; old, new and difference of what changed go to build/golden/SCENE.png
 	@.ci/install demo
 	@$(MAKE) build
+	@python3 tests/checks/golden_pictures.py $(BUILD)/fixcast $(BUILD)/golden && python3 tests/checks/golden.py $(BUILD)/fixcast
+
+golden-update: ## take what the simulator renders now as tests/golden, and show what changed in build/golden/SCENE.png
+	@.ci/install demo
+	@$(MAKE) build
+	@python3 tests/checks/golden_pictures.py --update $(BUILD)/fixcast $(BUILD)/golden
 	@python3 tests/checks/golden.py --update $(BUILD)/fixcast
 
 clean: ## remove everything that was built

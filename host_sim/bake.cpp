@@ -7,8 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "hierarchy.h"
-#include "report.h"
+#include "version.h"
 
 namespace host {
 namespace {
@@ -52,8 +51,11 @@ std::string c_item(const fc_bvh_node &n) {
 std::string c_item(const fc_vec3 &v) {
   return c_vec3(v);
 }
-std::string c_item(const fc_material &m) {
-  return "{" + c_rgb(m.diffuse) + ", 0, NULL}";
+std::string c_item(const fc_normal &n) {
+  return "{" + c_int(n.x) + ", " + c_int(n.y) + ", " + c_int(n.z) + "}";
+}
+std::string c_item(const fc_uv &t) {
+  return "{" + c_int(t.u) + ", " + c_int(t.v) + "}";
 }
 std::string c_item(const fc_sphere &s) {
   return "{" + c_vec3(s.center) + ", " + c_int(s.radius) + ", " + c_u16(s.material) + ", " + c_u16(s.object) +
@@ -69,7 +71,7 @@ std::string c_item(const fc_triangle &t) {
 }
 std::string c_item(const fc_light &l) {
   return "{" + c_vec3(l.position) + ", " + c_rgb(l.intensity) + ", " + c_int(l.exponent) + ", " +
-         c_int(l.intensity_exponent) + ", " + c_int(l.inverse_square) + "}";
+         c_int(l.intensity_exponent) + ", " + c_int(l.inverse_square) + ", " + c_int(l.directional) + "}";
 }
 
 /* One table, and a blank line; nothing when it would be empty, which C does not allow. */
@@ -95,14 +97,79 @@ std::vector<T> part(const std::vector<T> &whole, std::size_t first, std::size_t 
   return {from, from + static_cast<std::ptrdiff_t>(count)};
 }
 
+/* Everything that a material's layers point to, and their list. */
+std::string c_layers(const std::string &name, const CoreLayers &layers) {
+  const auto record = [&](const char *type, const char *what, const std::string &fields) {
+    return std::string("static const ") + type + " " + name + what + " FC_ROM = {" + fields + "};\n";
+  };
+  std::string text, list;
+  for (const fc_layer &layer : layers.list) {
+    std::string kind, data = "NULL";
+    if (layer.kind == &fc_layer_smooth) {
+      kind = "smooth";
+    } else if (layer.kind == &fc_layer_phong) {
+      kind = "phong";
+      text += record("fc_phong", "_phong", c_rgb(layers.phong.specular) + ", " + c_uint(layers.phong.shininess_q8));
+    } else if (layer.kind == &fc_layer_mirror) {
+      kind = "mirror";
+      text += record("fc_mirror", "_mirror", c_rgb(layers.mirror.reflectance) + ", " + c_int(layers.mirror.bounces));
+    } else if (layer.kind == &fc_layer_emission) {
+      kind = "emission";
+      text += record("fc_emission", "_emission", c_rgb(layers.emission.light) + ", " + c_int(layers.emission.exponent));
+    } else {
+      kind = "texture";
+      const fc_mapping &m = layers.mapping;
+      const char *how = m.kind == &fc_mapping_planar ? "planar" : m.kind == &fc_mapping_spherical ? "spherical" : "vertices";
+      text += record("fc_mapping", "_mapping", std::string("&fc_mapping_") + how + ", " + c_vec3(m.origin) + ", " + c_vec3(m.u) + ", " +
+                                                   c_vec3(m.v) + ", " + c_int(m.exponent) + ", " + c_int(m.repeat_u) + ", " + c_int(m.repeat_v));
+      const bool image = layers.texture.pattern == &fc_pattern_image;
+      if (image) {
+        text += "static const uint8_t " + name + "_texels[] FC_ROM = {";
+        for (std::size_t i = 0; i < layers.texels.size(); i++)
+          text += (i % 24 == 0 ? "\n  " : "") + c_int(layers.texels[i]) + ",";
+        text += "};\n";
+        text += record("fc_image", "_image", name + "_texels, " + c_int(layers.image.width) + ", " + c_int(layers.image.height) + ", " +
+                                                 c_int(layers.image.format) + ", " + c_int(layers.image.bilinear) + ", " +
+                                                 c_int(layers.image.clamp));
+      } else {
+        text += record("fc_checker", "_checker", "{" + c_rgb(layers.checker.colour[0]) + ", " + c_rgb(layers.checker.colour[1]) + "}");
+      }
+      text += record("fc_texture", "_texture", "&" + name + "_mapping, &fc_pattern_" + (image ? "image, &" : "checker, &") + name +
+                                                   (image ? "_image, " : "_checker, ") + c_int(layers.texture.modulate));
+    }
+    if (layer.data != nullptr) data = "&" + name + "_" + kind;
+    list += "{&fc_layer_" + kind + ", " + data + "}, ";
+  }
+  return text + "static const fc_layer " + name + "[] FC_ROM = {" + list.substr(0, list.size() - 2) + "};\n\n";
+}
+
+std::string c_materials(const std::string &name, const CoreScene &core) {
+  std::string text, table;
+  for (std::size_t i = 0; i < core.materials.size(); i++) {
+    const std::string layers = name + "_layers_" + std::to_string(i);
+    if (core.layers[i]) text += c_layers(layers, *core.layers[i]);
+    table += "  {" + c_rgb(core.materials[i].diffuse) + ", " +
+             (core.layers[i] ? "FC_COUNT_OF(" + layers + "), " + layers : std::string("0, NULL")) + "},\n";
+  }
+  if (table.empty()) return "";
+  return text + "/* diffuse, Q1.15, and layers */\nstatic const fc_material " + name + "_materials[] FC_ROM = {\n" + table + "};\n\n";
+}
+
 std::string c_shapes(const std::string &name, const CoreScene &core) {
   if (core.shapes.empty()) return "";
   std::string text = "static const fc_shapes " + name + "_shapes[] FC_ROM = {\n";
   if (!core.spheres.empty()) text += "  FC_SPHERES(" + name + "_spheres),\n";
   if (!core.planes.empty()) text += "  FC_PLANES(" + name + "_planes),\n";
-  for (std::size_t i = 0; i < core.triangle_tables.size(); i++)
-    text += std::string(core.triangle_tables[i].closed ? "  FC_TRIANGLES_CLOSED(" : "  FC_TRIANGLES(") +
-            table_name(name, "vertices", core, i) + ", " + table_name(name, "triangles", core, i) + "),\n";
+  for (std::size_t i = 0; i < core.triangle_tables.size(); i++) {
+    const std::string vertices = table_name(name, "vertices", core, i), triangles = table_name(name, "triangles", core, i);
+    const bool closed = core.triangle_tables[i].closed;
+    if (core.normals.empty() && core.uvs.empty())
+      text += std::string(closed ? "  FC_TRIANGLES_CLOSED(" : "  FC_TRIANGLES(") + vertices + ", " + triangles + "),\n";
+    else
+      text += "  FC_TRIANGLES_WITH(" + vertices + ", " +
+              (core.normals.empty() ? "NULL" : table_name(name, "normals", core, i)) + ", " +
+              (core.uvs.empty() ? "NULL" : table_name(name, "uvs", core, i)) + ", " + triangles + (closed ? ", 1),\n" : ", 0),\n");
+  }
   return text + "};\n\n";
 }
 
@@ -126,16 +193,17 @@ std::string c_reference(const std::string &field, const std::string &count, cons
          (empty ? "0" : "FC_COUNT_OF(" + table + ")") + ",\n";
 }
 
-template <typename T>
-std::size_t bytes(const std::vector<T> &table) {
-  return table.size() * sizeof(T);
-}
-
 /* A file name inside a comment: printable, and no trigraph. */
 std::string printable(std::string text) {
   for (char &c : text)
     if (c < ' ' || c > '~' || c == '?' || c == '\\') c = '_';
   return text;
+}
+
+std::string head_comment(const SceneFacts &facts) {
+  std::string text = "/*\n * Baked by fixcast " + std::string(version) + "; do not edit.\n *\n";
+  for (const std::string &line : fact_lines(facts)) text += " * " + printable(line) + "\n";
+  return text + " */\n";
 }
 
 } // namespace
@@ -161,22 +229,15 @@ bool is_c_name(const std::string &name) {
   return std::find(keywords.begin(), keywords.end(), name) == keywords.end();
 }
 
-std::string bake(const CoreScene &core, std::size_t frame_memory_bytes, const std::string &name,
-                 const std::string &source) {
+std::string bake_header(const SceneFacts &facts, const std::string &name) {
+  return head_comment(facts) + "#ifndef " + name + "_SCENE_H\n#define " + name + "_SCENE_H\n\n#include \"fixcast/fixcast.h\"\n\nextern const fc_scene " + name +
+         ";\nextern const fc_camera " + name + "_camera;\n\n#endif\n";
+}
+
+std::string bake(const CoreScene &core, const SceneFacts &facts, const std::string &name) {
   const fc_scene &scene = core.scene;
   const fc_camera &camera = core.camera;
-  const std::size_t flash = bytes(core.spheres) + bytes(core.planes) + bytes(core.vertices) +
-                            bytes(core.triangles) + bytes(core.materials) + bytes(core.lights) +
-                            hierarchy_bytes(core);
-  std::string text;
-  text += "/*\n * Baked from " + printable(std::filesystem::path(source).filename().string()) +
-          "; do not edit.\n *\n";
-  text += " * " + count_text(core.spheres.size(), "sphere") + ", " + count_text(core.planes.size(), "plane") +
-          ", " + count_text(core.triangles.size(), "triangle") + ", " + std::to_string(core.vertices.size()) +
-          " vertices, " + count_text(core.materials.size(), "material") + ", " +
-          count_text(core.lights.size(), "light") + ".\n";
-  text += " * " + std::to_string(flash) + " bytes of flash for these tables; a frame needs " +
-          std::to_string(frame_memory_bytes) + " bytes of memory.\n */\n";
+  std::string text = head_comment(facts);
   text += "#include \"fixcast/fixcast.h\"\n\n";
   text += "extern const fc_scene " + name + ";\nextern const fc_camera " + name + "_camera;\n\n";
   text += c_table("fc_sphere", name + "_spheres", "centre, radius, material, object", core.spheres);
@@ -185,14 +246,22 @@ std::string bake(const CoreScene &core, std::size_t frame_memory_bytes, const st
     const TriangleTable &table = core.triangle_tables[i];
     text += c_table("fc_vec3", table_name(name, "vertices", core, i), "x, y, z",
                     part(core.vertices, table.vertex, table.vertices));
+    if (!core.normals.empty())
+      text += c_table("fc_normal", table_name(name, "normals", core, i), "x, y, z, Q14",
+                      part(core.normals, table.vertex, table.vertices));
+    if (!core.uvs.empty())
+      text += c_table("fc_uv", table_name(name, "uvs", core, i), "u, v, Q16", part(core.uvs, table.vertex, table.vertices));
     text += c_table("fc_triangle", table_name(name, "triangles", core, i), "vertices, material, object",
                     part(core.triangles, table.triangle, table.triangles));
   }
-  text += c_table("fc_material", name + "_materials", "diffuse, Q1.15", core.materials);
+  text += c_materials(name, core);
   text += c_table("fc_light", name + "_lights",
-                  "position, intensity, exponent, intensity_exponent, inverse_square", core.lights);
+                  "position, intensity, exponent, intensity_exponent, inverse_square, directional", core.lights);
   text += c_shapes(name, core);
   text += c_bvh(name, core);
+  if (!core.sky.empty())
+    text += "static const fc_sky " + name + "_sky FC_ROM = {&fc_sky_gradient, " + c_vec3(core.sky.front().up) + ", " +
+            c_rgb(core.sky.front().top) + "};\n\n";
   text += "const fc_scene " + name + " FC_ROM = {\n";
   text += c_reference("shapes", "shape_count", name + "_shapes", core.shapes.empty());
   text += c_reference("materials", "material_count", name + "_materials", core.materials.empty());
@@ -200,6 +269,7 @@ std::string bake(const CoreScene &core, std::size_t frame_memory_bytes, const st
   text += "  .exponent = " + c_int(scene.exponent) + ",\n  .far_exponent = " + c_int(scene.far_exponent) +
           ",\n  .far_limit = " + c_int(scene.far_limit) + ",\n  .ambient = " + c_rgb(scene.ambient) +
           ",\n  .background = " + c_rgb(scene.background) + ",\n" +
+          (core.sky.empty() ? "" : "  .sky = &" + name + "_sky,\n") +
           (core.bvh.empty() ? "" : "  .bvh = &" + name + "_bvh,\n") + "};\n\n";
   text += "const fc_camera " + name + "_camera FC_ROM = {\n  .eye = " + c_vec3(camera.eye) +
           ",\n  .target = " + c_vec3(camera.target) + ",\n  .up = " + c_vec3(camera.up) +

@@ -4,9 +4,9 @@
 #ifndef FIXCAST_HOST_BAKE_H
 #define FIXCAST_HOST_BAKE_H
 
-#include <cstddef>
 #include <string>
 
+#include "scene_facts.h"
 #include "to_core.h"
 
 namespace host {
@@ -18,9 +18,11 @@ std::string c_name_of(const std::string &path);
 bool is_c_name(const std::string &name);
 
 /* The C99 source that defines `const fc_scene NAME` and `const fc_camera NAME_camera`. The same scene gives
- * the same bytes on every run. `source` is named in the head comment, without its directory. */
-std::string bake(const CoreScene &core, std::size_t frame_memory_bytes, const std::string &name,
-                 const std::string &source);
+ * the same bytes on every run. The head comment says what `facts` says. */
+std::string bake(const CoreScene &core, const SceneFacts &facts, const std::string &name);
+
+/* The C99 header that declares the two; `facts` as above. */
+std::string bake_header(const SceneFacts &facts, const std::string &name);
 
 } // namespace host
 

@@ -15,10 +15,16 @@ using Action = std::function<int()>;
 
 void add_render_command(CLI::App &app, Action &action);
 void add_compare_command(CLI::App &app, Action &action);
+void add_diff_command(CLI::App &app, Action &action);
 void add_pick_command(CLI::App &app, Action &action);
 void add_bake_command(CLI::App &app, Action &action);
+void add_view_command(CLI::App &app, Action &action);
+void add_stats_command(CLI::App &app, Action &action);
 void add_depths_command(CLI::App &app, Action &action);
 void add_report_command(CLI::App &app, Action &action);
+void add_show_command(CLI::App &app, Action &action);
+void add_panels_command(CLI::App &app, Action &action);
+void add_probe_command(CLI::App &app, Action &action);
 
 } // namespace host
 

@@ -9,6 +9,7 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "progress.h"
 
@@ -27,10 +28,18 @@ struct ColourError {
   double largest = 0, square_sum = 0;
 };
 
-ColourError colour_error(const std::uint8_t *core, const OracleAnswer &answer) {
+/* What a display of this transfer function has to be told to show a light, both in 0..255. */
+double encoded(double level, const fc_transfer *transfer) {
+  const double light = level / 255;
+  if (transfer == &fc_transfer_gamma22) return 255 * std::pow(light, 1 / 2.2);
+  if (transfer == &fc_transfer_srgb) return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
+  return level;
+}
+
+ColourError colour_error(const std::uint8_t *core, const OracleAnswer &answer, const fc_transfer *transfer) {
   ColourError error;
   for (std::size_t c = 0; c < 3; c++) {
-    const double difference = std::fabs(core[c] - answer.colour[c]);
+    const double difference = std::fabs(core[c] - encoded(answer.colour[c], transfer));
     error.largest = std::max(error.largest, difference);
     error.square_sum += difference * difference;
   }
@@ -44,7 +53,9 @@ public:
         frame_(frame),
         picture_(picture),
         lights_(file.lights.size()),
-        rows_(static_cast<std::size_t>(picture.height)) {}
+        rows_(static_cast<std::size_t>(picture.height)),
+        error_(picture.object.size()),
+        truth_{picture.width, picture.height, std::vector<std::uint8_t>(3 * picture.object.size())} {}
 
   Comparison run() {
     std::vector<std::thread> threads;
@@ -83,7 +94,7 @@ private:
       progress.update(done_);
   }
 
-  void compare_pixel(int x, int y, Row &row) const {
+  void compare_pixel(int x, int y, Row &row) {
     const std::size_t i =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(picture_.width) + static_cast<std::size_t>(x);
     const OraclePixel truth = oracle_.pixel(x, y);
@@ -98,7 +109,7 @@ private:
     for (const OracleAnswer &answer : truth.answers) {
       const bool object = answer.object == picture_.object[i];
       const int rank = !object ? 0 : same_light(picture_.lit[i], answer, lights_) ? 2 : 1;
-      const ColourError error = colour_error(rgb, answer);
+      const ColourError error = colour_error(rgb, answer, frame_.get().options.transfer);
       if (rank > best_rank || (rank == best_rank && error.square_sum < best_error.square_sum)) {
         best = &answer;
         best_rank = rank;
@@ -113,6 +124,12 @@ private:
       row.sums.wrong.push_back(
           {x, y, best_rank == 0, picture_.object[i], first.object, picture_.lit[i], first.lit});
     }
+    const fc_transfer *transfer = frame_.get().options.transfer;
+    std::array<double, 3> shown{};
+    for (std::size_t c = 0; c < 3; c++) shown[c] = encoded(best->colour[c], transfer);
+    if (best_rank == 2 && best_error.largest > 1) row.sums.off.push_back({x, y, {rgb[0], rgb[1], rgb[2]}, shown});
+    error_[i] = static_cast<float>(best_error.largest);
+    for (std::size_t c = 0; c < 3; c++) truth_.rgb[3 * i + c] = static_cast<std::uint8_t>(std::lround(shown[c]));
     row.colour_square_sum += best_error.square_sum;
     row.sums.colour_max = std::max(row.sums.colour_max, best_error.largest);
     if (best_rank > 0 && best->depth > 0 && !picture_.depth.empty())
@@ -134,7 +151,7 @@ private:
     return std::fabs(frame_.depth_z(code) - true_z) / true_z;
   }
 
-  Comparison total() const {
+  Comparison total() {
     Comparison sum;
     double squares = 0;
     for (const Row &row : rows_) {
@@ -148,10 +165,14 @@ private:
       sum.ties += r.ties;
       sum.colour_max = std::max(sum.colour_max, r.colour_max);
       sum.depth_rel_max = std::max(sum.depth_rel_max, r.depth_rel_max);
+      sum.wrong_colour += r.off.size();
+      sum.off.insert(sum.off.end(), r.off.begin(), r.off.end());
       sum.wrong.insert(sum.wrong.end(), r.wrong.begin(), r.wrong.end());
       squares += row.colour_square_sum;
     }
     sum.colour_rmse = std::sqrt(squares / static_cast<double>(picture_.pixels.size()));
+    sum.error = std::move(error_);
+    sum.truth = std::move(truth_);
     return sum;
   }
 
@@ -160,6 +181,8 @@ private:
   const Picture &picture_;
   const std::size_t lights_;
   std::vector<Row> rows_;
+  std::vector<float> error_; /* these two and rows_: a row is one thread's */
+  Image8 truth_;
 
   std::atomic<bool> stop_{false};
   std::atomic<std::size_t> done_{0};

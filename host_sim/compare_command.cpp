@@ -11,6 +11,8 @@
 #include "edge_distance.h"
 #include "frame_file.h"
 #include "frame_run.h"
+#include "heat.h"
+#include "image.h"
 #include "progress.h"
 #include "report.h"
 #include "scene_options.h"
@@ -20,7 +22,7 @@ namespace {
 
 struct CompareOptions : SceneOptions {
   bool verbose = false, check = false;
-  std::string depth_format, frame;
+  std::string depth_format, frame, output;
 };
 
 double per_million(std::size_t count, std::size_t of) {
@@ -97,10 +99,29 @@ void list_wrong_pixels(std::FILE *to, const Oracle &oracle, const Comparison &co
       progress.update(++done);
     }
   }
+  for (const WrongColour &p : comparison.off) {
+    char line[160];
+    (void)std::snprintf(line, sizeof line, "wrong colour at %d %d: core %d %d %d, oracle %.2f %.2f %.2f\n", p.x, p.y, p.core[0],
+                        p.core[1], p.core[2], p.oracle[0], p.oracle[1], p.oracle[2]);
+    text += line;
+  }
   (void)std::fputs(text.c_str(), to);
 }
 
+/* Errors as a heat map, with what is simply wrong in colours that no heat map has. */
+Image8 error_picture(const LoadedScene &scene, const Comparison &comparison) {
+  Image8 picture = heat_map(scene.width, scene.height, comparison.error);
+  for (const WrongPixel &wrong : comparison.wrong) {
+    const std::size_t at = 3 * (static_cast<std::size_t>(wrong.y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(wrong.x));
+    picture.rgb[at] = wrong.wrong_id ? 255 : 0;
+    picture.rgb[at + 1] = wrong.wrong_id ? 0 : 255;
+    picture.rgb[at + 2] = wrong.wrong_id ? 255 : 0;
+  }
+  return picture;
+}
+
 int run_compare(const CompareOptions &options) {
+  if (!options.output.empty()) check_not_same_file(options.scene, options.output);
   const LoadedScene scene = load_scene(options);
   const CoreFrame frame(scene.file, scene.core, scene.options, scene.width, scene.height);
   Pictures pictures;
@@ -116,6 +137,13 @@ int run_compare(const CompareOptions &options) {
                                ? "{" + frame_json(scene, counts) + json_text(comparison) + depth + "}\n"
                                : frame_summary(scene, counts) + summary(comparison) + depth;
   (void)std::fputs(text.c_str(), stdout);
+  if (!options.output.empty()) {
+    const std::string written =
+        write_image(options.output, side_by_side({{scene.width, scene.height, pictures.rgb888.pixels},
+                                                  comparison.truth,
+                                                  error_picture(scene, comparison)}));
+    (void)std::fprintf(options.json ? stderr : stdout, "wrote %s: core, oracle, colour error (wrong ids magenta, wrong shadows green)\n", written.c_str());
+  }
   if (options.verbose) /* stdout stays one JSON object */
     list_wrong_pixels(options.json ? stderr : stdout, oracle, comparison, scene.file.lights.size());
   const bool good = comparison.wrong_id == 0 && comparison.wrong_shadow == 0 && comparison.colour_max <= 1;
@@ -131,6 +159,7 @@ void add_compare_command(CLI::App &app, Action &action) {
   add_scene_options(*command, *options);
   add_offset_option(*command, *options);
   add_profile_option(*command, *options);
+  add_transfer_option(*command, *options);
   command->add_flag("-v,--verbose", options->verbose,
                     "list each wrong pixel and its distance from the true edge");
   command
@@ -142,6 +171,8 @@ void add_compare_command(CLI::App &app, Action &action) {
                    "measure the frame in this file instead of one by the core; nine bytes a pixel: object id (2) "
                    "and light mask (4), low byte first, red, green, blue; the CRC is then of red, green, blue")
       ->type_name("FILE");
+  command->add_option("-o,--output", options->output, "write the core's picture, the oracle's and a heat map of the colour errors side by side")
+      ->type_name("COMPARE.png");
   command->add_flag("--check", options->check,
                     "exit with 1 unless ids and shadows are right and colours within 1");
   add_json_option(*command, *options);

@@ -36,7 +36,7 @@ int render_strip(const fc_frame &frame, const Sampling &sampling, int y, int row
 }
 
 /* `progress` may be null. */
-Picture render_format(const CoreFrame &frame, const Sampling &sampling, fc_format format, int strip_rows, Progress *progress) {
+Picture render_rows(const CoreFrame &frame, const Sampling &sampling, fc_format format, int strip_rows, Progress *progress) {
   Picture p;
   p.width = frame.width();
   p.height = frame.height();
@@ -99,12 +99,16 @@ double CoreFrame::depth_z(std::uint16_t code) const {
   return static_cast<double>(std::ldexp(mantissa * world_unit(core_.scene), exponent));
 }
 
-Pictures render(const CoreFrame &frame, const Sampling &sampling, int strip_rows) {
+Pictures render(const CoreFrame &frame, const Sampling &sampling, int strip_rows, bool quiet) {
   std::future<Picture> rgb888 =
-      std::async(std::launch::async, [&] { return render_format(frame, sampling, FC_RGB888, strip_rows, nullptr); });
+      std::async(std::launch::async, [&] { return render_rows(frame, sampling, FC_RGB888, strip_rows, nullptr); });
   Progress progress("rendering", static_cast<std::size_t>(frame.height()));
-  Picture rgb565 = render_format(frame, sampling, FC_RGB565_BE, strip_rows, &progress);
+  Picture rgb565 = render_rows(frame, sampling, FC_RGB565_BE, strip_rows, quiet ? nullptr : &progress);
   return {rgb888.get(), std::move(rgb565)};
+}
+
+Picture render_format(const CoreFrame &frame, fc_format format, int strip_rows) {
+  return render_rows(frame, Sampling(), format, strip_rows, nullptr);
 }
 
 FrameCounts count(const Picture &picture) {

@@ -67,8 +67,11 @@ struct Pictures {
   Picture rgb888, rgb565; /* FC_RGB888 and FC_RGB565_BE */
 };
 
-/* Renders the frame in strips of `strip_rows` rows, both formats at the same time. */
-Pictures render(const CoreFrame &frame, const Sampling &sampling, int strip_rows);
+/* Renders the frame in strips of `strip_rows` rows, both formats at the same time. `quiet`: without progress of its own. */
+Pictures render(const CoreFrame &frame, const Sampling &sampling, int strip_rows, bool quiet = false);
+
+/* One format alone, a ray a pixel, without progress. */
+Picture render_format(const CoreFrame &frame, fc_format format, int strip_rows);
 
 /* What every report says about a frame. */
 struct FrameCounts {

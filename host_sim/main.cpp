@@ -10,10 +10,7 @@
 #include "commands.h"
 #include "image.h"
 #include "scene_file.h"
-
-#ifndef FIXCAST_VERSION
-#define FIXCAST_VERSION "0.1.0"
-#endif
+#include "version.h"
 
 namespace {
 
@@ -28,7 +25,7 @@ int fail(std::string what) {
 int run(int argc, char **argv) {
   CLI::App app{"fixcast: an exact integer ray caster, simulated on the host.", "fixcast"};
   app.set_version_flag("--version",
-                       std::string("fixcast " FIXCAST_VERSION " (images: ") + host::image_backend() + ")");
+                       std::string("fixcast ") + host::version + " (images: " + host::image_backend() + ")");
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
   app.footer(
@@ -37,10 +34,16 @@ int run(int argc, char **argv) {
   host::Action action;
   host::add_render_command(app, action);
   host::add_compare_command(app, action);
+  host::add_diff_command(app, action);
   host::add_pick_command(app, action);
   host::add_bake_command(app, action);
+  host::add_view_command(app, action);
+  host::add_stats_command(app, action);
   host::add_depths_command(app, action);
   host::add_report_command(app, action);
+  host::add_show_command(app, action);
+  host::add_panels_command(app, action);
+  host::add_probe_command(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &error) {

@@ -6,26 +6,29 @@
  * "FILE:LINE: what is wrong; what to do".
  */
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <memory>
+#include <sstream>
+#include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
+#include "cone_mesh.h"
 #include "scene_file.h"
+#include "text_file.h"
 
 namespace host {
 namespace {
 
 constexpr int max_lines = 1048576;
 constexpr std::size_t max_line_bytes = 4096;
-constexpr std::size_t max_file_bytes = std::size_t{256} << 20;
 constexpr int max_object = 65535;
 constexpr int max_vertices = 65535;
+constexpr std::size_t max_cone_triangles = 100000; /* more than the core takes */
 constexpr std::size_t max_fraction_digits = 18; /* both halves are exact in a long double: one rounding */
 constexpr long double max_magnitude = 1e30L;
 constexpr long double min_magnitude = 1e-4000L; /* below this a long double starts to lose digits */
@@ -38,11 +41,6 @@ constexpr long double parallel_tolerance = 1e-12L; /* sine of the angle between 
   throw UserError(path + ":" + std::to_string(line) + ": " + sentence);
 }
 
-[[noreturn]] void fail(const std::string &path, const std::string &sentence)
-{
-  throw UserError(path + ": " + sentence);
-}
-
 /* A token as it may stand in a message: short, and in printable characters only. */
 std::string quoted(std::string_view token)
 {
@@ -52,34 +50,6 @@ std::string quoted(std::string_view token)
     text += c >= 0x20 && c < 0x7f ? c : '?';
   }
   return text + (token.size() > longest ? "...'" : "'");
-}
-
-std::string load(const std::string &path)
-{
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    fail(path, "this is a directory; name a scene file in it");
-  }
-  std::FILE *file = std::fopen(path.c_str(), "rb");
-  if (file == nullptr) {
-    fail(path, "cannot open: " + std::generic_category().message(errno) +
-         "; check the name and its permissions");
-  }
-  std::string text;
-  std::vector<char> chunk(1 << 16);
-  std::size_t count = 0;
-  while (text.size() <= max_file_bytes && (count = std::fread(chunk.data(), 1, chunk.size(), file)) > 0) {
-    text.append(chunk.data(), count);
-  }
-  const int error = std::ferror(file) != 0 ? errno : 0;
-  std::fclose(file);
-  if (error != 0) {
-    fail(path, "cannot read: " + std::generic_category().message(error) + "; check the file and its disk");
-  }
-  if (text.size() > max_file_bytes) {
-    fail(path, "larger than 256 MiB; check that this is a scene, or split it");
-  }
-  return text;
 }
 
 /* A run over the bytes before anything is parsed, so that a file which is no scene at all is refused fast
@@ -168,6 +138,9 @@ public:
     if (vertices_missing_ > 0) {
       fail_truncated("the file ends");
     }
+    if (cone_ends_missing_ > 0) {
+      fail(path_, cone_pattern_.line, "the file ends within the cone; add lines X Y Z RADIUS for its base and apex");
+    }
     check_camera();
     return std::move(scene_);
   }
@@ -192,6 +165,8 @@ private:
     }
     if (vertices_missing_ > 0) {
       read_vertex(tokens);
+    } else if (cone_ends_missing_ > 0) {
+      read_cone_end(tokens);
     } else {
       read_entity(tokens);
     }
@@ -226,15 +201,18 @@ private:
       in_view_ = true;
       scene_.camera.line = line_;
     } else if (keyword == "c") {
-      fail_here("cones: not yet; remove the cone or tessellate it into polygons");
+      start_cone(tokens);
     } else {
-      fail_here("unknown entity " + quoted(keyword) + "; use one of b v l f s p pp, or # for a comment");
+      fail_here("unknown entity " + quoted(keyword) + "; use one of b v l f s p pp c, or # for a comment");
     }
   }
 
   void read_extension(const Tokens &tokens)
   {
     const std::string_view keyword = tokens.empty() ? std::string_view() : tokens[0];
+    if (cone_ends_missing_ > 0) {
+      fail_here("an extension within a cone; put it above the line c");
+    }
     if (keyword == "plane") {
       if (vertices_missing_ > 0) {
         fail_truncated("line " + std::to_string(line_) + " is a plane");
@@ -250,6 +228,13 @@ private:
         fail_here("tan_half_fov " + tangent.text + " is out of range; use a number above 0, at most 1000");
       }
       scene_.camera.tan_half_fov = tangent;
+    } else if (keyword == "cone_error") {
+      expect(tokens, 1, "#fc: cone_error E");
+      const Number error = number(tokens[1]);
+      if (error.value < 1e-5L || error.value > 0.5L) {
+        fail_here("cone_error " + error.text + " is out of range; use a part of the radius from 0.00001 to 0.5");
+      }
+      cone_error_ = error.value;
     } else if (keyword == "far") {
       expect(tokens, 1, "#fc: far DISTANCE");
       only_if(!scene_.far, "a second #fc: far");
@@ -275,10 +260,129 @@ private:
         fail_here("a falloff that is neither inverse-square nor none; write #fc: falloff inverse-square "
                   "or #fc: falloff none");
       }
+    } else if (keyword == "gradient") {
+      expect(tokens, 6, "#fc: gradient UPX UPY UPZ R G B");
+      only_if(!scene_.gradient, "a second #fc: gradient");
+      scene_.gradient = Gradient{vector(tokens, 1), colour(tokens, 4, 1, "a background channel"), line_};
+    } else if (keyword == "sun") {
+      read_sun(tokens);
+    } else if (keyword == "mirror" || keyword == "emission" || keyword == "checker" || keyword == "image") {
+      read_layer(tokens);
     } else {
       fail_here("unknown extension " + quoted(keyword) + " after #fc:; use one of plane object tan_half_fov "
-                "far ambient falloff, or # alone for a comment");
+                "far ambient falloff cone_error gradient sun mirror emission checker image, or # alone for a comment");
     }
+  }
+
+  void read_sun(const Tokens &tokens)
+  {
+    expect(tokens, 6, "#fc: sun X Y Z R G B, X Y Z the direction towards it");
+    Light light;
+    light.directional = true;
+    light.position = vector(tokens, 1);
+    light.colour = colour(tokens, 4, max_intensity, "a light channel");
+    light.line = line_;
+    if (light.position.x.value == 0 && light.position.y.value == 0 && light.position.z.value == 0) {
+      fail_here("the sun's direction is 0 0 0; say where it stands, such as 1 2 1");
+    }
+    scene_.lights.push_back(std::move(light));
+  }
+
+  /* What is said about the material of the last line f. */
+  void read_layer(const Tokens &tokens)
+  {
+    Material &material = scene_.materials.at(static_cast<std::size_t>(current_material()));
+    const std::string_view keyword = tokens[0];
+    if (keyword == "mirror") {
+      if (tokens.size() != 5) expect(tokens, 3, "#fc: mirror R G B or #fc: mirror R G B BOUNCES");
+      only_if(!material.mirror, "a second #fc: mirror of this material");
+      material.mirror = Mirror{colour(tokens, 1, 1, "a mirror's reflectance"),
+                               tokens.size() == 5 ? integer(tokens[4], 1, 16, "a number of bounces") : 4};
+    } else if (keyword == "emission") {
+      expect(tokens, 3, "#fc: emission R G B");
+      only_if(!material.emission, "a second #fc: emission of this material");
+      material.emission = colour(tokens, 1, 200, "an emission channel");
+    } else {
+      only_if(!material.texture, "a second texture of this material");
+      material.texture = keyword == "checker" ? read_checker(tokens) : read_image(tokens);
+    }
+  }
+
+  Texture read_checker(const Tokens &tokens) const
+  {
+    if (tokens.size() < 8) fail_here("a checker of too few values; write #fc: checker R G B R G B MAPPING");
+    Texture texture;
+    texture.checker = {colour(tokens, 1, 1, "a checker's colour"), colour(tokens, 4, 1, "a checker's colour")};
+    texture.mapping = read_mapping(tokens, 7);
+    return texture;
+  }
+
+  Texture read_image(const Tokens &tokens) const
+  {
+    if (tokens.size() < 3) fail_here("an image of too few values; write #fc: image FILE.ppm [bilinear] [clamp] [modulate] MAPPING");
+    Texture texture;
+    const std::filesystem::path name(std::string{tokens[1]});
+    const std::string path = name.is_absolute() ? name.string() : (std::filesystem::path(path_).parent_path() / name).string();
+    std::size_t next = 2;
+    for (; next < tokens.size(); next++) {
+      if (tokens[next] == "bilinear") texture.bilinear = true;
+      else if (tokens[next] == "clamp") texture.clamp = true;
+      else if (tokens[next] == "modulate") texture.modulate = true;
+      else break;
+    }
+    texture.mapping = read_mapping(tokens, next);
+    texture.texels = load_texels(path, texture.width, texture.height);
+    return texture;
+  }
+
+  std::shared_ptr<const std::vector<std::uint8_t>> load_texels(const std::string &path, int &width, int &height) const
+  {
+    std::string bytes;
+    try {
+      bytes = load_text(path);
+    } catch (const UserError &error) {
+      fail_here(std::string("the image cannot be read: ") + error.what());
+    }
+    std::istringstream in(bytes);
+    std::string magic;
+    int most = 0;
+    in >> magic >> width >> height >> most;
+    if (!in || magic != "P6" || most != 255 || width < 1 || height < 1 || width > 4096 || height > 4096 || in.get() == EOF) {
+      fail_here(path + " is not a PPM file of 8 bits (P6, 1x1 to 4096x4096); convert it");
+    }
+    auto texels = std::make_shared<std::vector<std::uint8_t>>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+    in.read(reinterpret_cast<char *>(texels->data()), static_cast<std::streamsize>(texels->size()));
+    if (static_cast<std::size_t>(in.gcount()) != texels->size()) fail_here(path + " ends before its last pixel; save it again");
+    return texels;
+  }
+
+  Mapping read_mapping(const Tokens &tokens, std::size_t first) const
+  {
+    Mapping mapping;
+    const std::string_view kind = first < tokens.size() ? tokens[first] : std::string_view();
+    std::size_t next = first + 1;
+    if (kind == "planar" && tokens.size() >= first + 10) {
+      mapping.kind = Mapping::Kind::planar;
+      mapping.origin = vector(tokens, first + 1);
+      mapping.u = vector(tokens, first + 4);
+      mapping.v = vector(tokens, first + 7);
+      next = first + 10;
+      for (const Vector *axis : {&mapping.u, &mapping.v}) {
+        if (axis->x.value == 0 && axis->y.value == 0 && axis->z.value == 0) fail_here("a mapping's axis is 0 0 0; give it a length");
+      }
+    } else if (kind == "spherical") {
+      mapping.kind = Mapping::Kind::spherical;
+    } else if (kind == "vertices") {
+      mapping.kind = Mapping::Kind::vertices;
+    } else {
+      fail_here("a texture without a mapping; end the line with spherical, vertices, or planar and nine numbers (origin, u, v)");
+    }
+    if (next < tokens.size()) {
+      if (tokens[next] != "repeat" || tokens.size() != next + 3) fail_here("unknown words after the mapping; write repeat N M, or nothing");
+      mapping.repeat_u = integer(tokens[next + 1], 1, 255, "a number of tiles");
+      mapping.repeat_v = integer(tokens[next + 2], 1, 255, "a number of tiles");
+    }
+    return mapping;
   }
 
   static bool is_view_field(std::string_view keyword)
@@ -317,7 +421,7 @@ private:
       }
     } else if (keyword == "hither") {
       expect(tokens, 1, "hither DISTANCE");
-      number(tokens[1]); /* a near plane is meaningless here: rays start at the eye */
+      scene_.camera.hither = number(tokens[1]);
     } else {
       expect(tokens, 2, "resolution WIDTH HEIGHT");
       only_if(scene_.width == 0, "a second resolution");
@@ -369,6 +473,68 @@ private:
     polygon.vertices.reserve(static_cast<std::size_t>(count));
     scene_.polygons.push_back(std::move(polygon));
     vertices_missing_ = vertices_announced_ = count;
+  }
+
+  /* "c" with base and apex on lines of their own, X Y Z RADIUS each, or on its own line. */
+  void start_cone(const Tokens &tokens)
+  {
+    if (tokens.size() != 1 && tokens.size() != 9) {
+      expect(tokens, 0, "c alone, then two lines X Y Z RADIUS, or all eight numbers behind it");
+    }
+    cone_pattern_ = Polygon{};
+    cone_pattern_.material = current_material();
+    cone_pattern_.object = next_object();
+    cone_pattern_.line = line_;
+    cone_ends_missing_ = 2;
+    if (tokens.size() == 9) {
+      cone_.base = vector(tokens, 1);
+      cone_.base_radius = number(tokens[4]);
+      cone_.apex = vector(tokens, 5);
+      cone_.apex_radius = number(tokens[8]);
+      finish_cone();
+    }
+  }
+
+  void read_cone_end(const Tokens &tokens)
+  {
+    if (tokens.size() != 4) {
+      fail_here("an end of a cone with " + std::to_string(tokens.size()) + " numbers; write X Y Z RADIUS");
+    }
+    (cone_ends_missing_ == 2 ? cone_.base : cone_.apex) = vector(tokens, 0);
+    (cone_ends_missing_ == 2 ? cone_.base_radius : cone_.apex_radius) = number(tokens[3]);
+    if (--cone_ends_missing_ == 0) {
+      finish_cone();
+    }
+  }
+
+  void finish_cone()
+  {
+    cone_ends_missing_ = 0;
+    if (cone_.base_radius.value <= 0 && cone_.apex_radius.value <= 0) { /* NFF: seen from inside only; here from both sides */
+      for (Number *radius : {&cone_.base_radius, &cone_.apex_radius}) {
+        if (radius->value < 0) {
+          *radius = Number{radius->text.substr(1), -radius->value};
+        }
+      }
+    }
+    const long double low = cone_.base_radius.value, high = cone_.apex_radius.value;
+    if (low < 0 || high < 0 || (low == 0 && high == 0)) {
+      fail_here("a cone of radii " + cone_.base_radius.text + " and " + cone_.apex_radius.text +
+                "; give both one sign, and one of them a size");
+    }
+    const Direction axis = direction({cone_.apex.x.value - cone_.base.x.value, cone_.apex.y.value - cone_.base.y.value,
+                                      cone_.apex.z.value - cone_.base.z.value});
+    if (axis.length == 0) {
+      fail_here("a cone whose base and apex are one point; move one of them");
+    }
+    for (Polygon &triangle : cone_mesh(cone_, cone_error_, cone_pattern_)) {
+      if (scene_.polygons.size() >= max_cone_triangles) {
+        fail_here("cones of more than " + std::to_string(max_cone_triangles) + " triangles; raise #fc: cone_error or use fewer");
+      }
+      scene_.polygons.push_back(std::move(triangle));
+    }
+    scene_.cones++;
+    scene_.cone_error = std::max(scene_.cone_error, cone_error_);
   }
 
   void read_vertex(const Tokens &tokens)
@@ -647,6 +813,10 @@ private:
   int fixed_object_ = 0;     /* 0: ids count */
   int vertices_missing_ = 0; /* of the polygon being read */
   int vertices_announced_ = 0;
+  Cone cone_; /* being read */
+  Polygon cone_pattern_;
+  int cone_ends_missing_ = 0;
+  long double cone_error_ = default_cone_error;
   bool with_normals_ = false;
   bool in_view_ = false;
   bool has_view_ = false, has_from_ = false, has_at_ = false, has_up_ = false, has_angle_ = false;
@@ -657,7 +827,7 @@ private:
 
 SceneFile read_nff(const std::string &path)
 {
-  return read_nff_text(path, load(path));
+  return read_nff_text(path, load_text(path));
 }
 
 SceneFile read_nff_text(const std::string &name, std::string_view text)

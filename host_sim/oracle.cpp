@@ -17,6 +17,7 @@
 #include "oracle_boxes.h"
 #include "oracle_geometry.h"
 #include "oracle_number.h"
+#include "oracle_radiance.h"
 
 namespace host {
 
@@ -45,6 +46,8 @@ struct Surface {
   std::uint16_t object = 0;
   Channels albedo{};
   long double normal_length = 0; /* a sphere's radius, so that the vector from its centre has this length */
+  ShapeOf shape;
+  bool layered = false; /* Radiance says what it looks like */
 };
 
 template <class T>
@@ -160,6 +163,21 @@ Line<Wide> nudged(const Line<Wide> &line, int k) {
   return out;
 }
 
+/* What takes a direction of any length to 2^80 times the scene's size. */
+Wide far_away(const SceneFile &scene) {
+  long double most = 1;
+  const auto include = [&](const Vector &v) {
+    most = std::max({most, std::fabs(v.x.value), std::fabs(v.y.value), std::fabs(v.z.value)});
+  };
+  for (const Sphere &s : scene.spheres)
+    include(s.center);
+  for (const Polygon &p : scene.polygons)
+    std::for_each(p.vertices.begin(), p.vertices.end(), include);
+  include(scene.camera.from);
+  const long double scale = static_cast<long double>(scene.scale_numerator) / static_cast<long double>(scene.scale_denominator);
+  return Wide(std::ldexp(most * std::max(scale, 1.0L), 80));
+}
+
 /* Does the ray meet the shape, given what `reaches` says? Only a polygon has an outline to test as well. */
 template <class T>
 Verdict meets(const Shape<T> &shape, const Verdict &reached, const Line<T> &ray) {
@@ -182,6 +200,15 @@ void add_answer(std::vector<OracleAnswer> &answers, const OracleAnswer &answer) 
     if (same(known, answer)) return;
   }
   answers.push_back(answer);
+}
+
+template <typename T>
+std::size_t index_in(const std::vector<T> &table, const T &item) {
+  return static_cast<std::size_t>(&item - table.data());
+}
+
+Real3 middles(const Vec<Ball> &v) {
+  return {v.x.mid(), v.y.mid(), v.z.mid()};
 }
 
 double level(long double value) {
@@ -216,8 +243,8 @@ private:
   const Hit<Wide> &wide_hit(Visible &seen, Ray &ray) const;
 
   void set_camera(const SceneFile &scene);
-  void add_shape(Shape<Wide> shape, std::uint16_t object, const Material &material,
-                 long double normal_length);
+  void add_shape(Shape<Wide> shape, std::uint16_t object, const Material &material, long double normal_length, const ShapeOf &what,
+                 bool has_normals);
   void finish_shapes();
 
   Sign light_side(int shape, std::size_t light) const {
@@ -242,11 +269,14 @@ private:
   bool has_far_ = false;
   bool inverse_square_ = false;
   long double depth_factor_ = 0; /* depth = t * depth_factor_ */
-  Channels background_{}, ambient_{};
+  Channels ambient_{};
+  Radiance radiance_;
+  std::vector<bool> directional_; /* lights */
   std::vector<Channels> light_colours_;
 };
 
-Oracle::State::State(const SceneFile &scene, int width, int height) : width_(width), height_(height) {
+Oracle::State::State(const SceneFile &scene, int width, int height)
+    : width_(width), height_(height), radiance_(scene) {
   const Wide scale = whole(scene.scale_numerator) / whole(scene.scale_denominator);
   set_camera(scene);
   wide_.eye = vector(scene.camera.from) * scale;
@@ -259,7 +289,9 @@ Oracle::State::State(const SceneFile &scene, int width, int height) : width_(wid
   inverse_square_ = scene.falloff == Falloff::inverse_square;
   const Wide brighter = inverse_square_ ? scale * scale : whole(1);
   for (const Light &light : scene.lights) {
-    wide_.lights.push_back(vector(light.position) * scale);
+    /* a directional light is so far away that its rays are parallel as far as any picture can tell */
+    wide_.lights.push_back(light.directional ? wide_.eye + vector(light.position) * far_away(scene) : vector(light.position) * scale);
+    directional_.push_back(light.directional);
     const auto intensity = [&](const Wide &w) { return nearest(w * brighter); };
     if (light.colour) {
       const Rgb &c = *light.colour;
@@ -273,7 +305,6 @@ Oracle::State::State(const SceneFile &scene, int width, int height) : width_(wid
   const auto channels = [](const Rgb &c) {
     return Channels{nearest(number(c.r)), nearest(number(c.g)), nearest(number(c.b))};
   };
-  background_ = channels(scene.background);
   ambient_ = channels(scene.ambient);
 
   const auto material = [&](int index) -> const Material & {
@@ -285,7 +316,8 @@ Oracle::State::State(const SceneFile &scene, int width, int height) : width_(wid
     shape.kind = Kind::sphere;
     shape.center = vector(sphere.center) * scale;
     shape.radius2 = radius * radius;
-    add_shape(std::move(shape), sphere.object, material(sphere.material), std::fabs(nearest(radius)));
+    add_shape(std::move(shape), sphere.object, material(sphere.material), std::fabs(nearest(radius)),
+              {ShapeOf::Kind::sphere, index_in(scene.spheres, sphere)}, false);
   }
   for (const Plane &plane : scene.planes) {
     Shape<Wide> shape;
@@ -294,7 +326,8 @@ Oracle::State::State(const SceneFile &scene, int width, int height) : width_(wid
     shape.d = number(plane.d) * scale;
     planes_.push_back(static_cast<int>(wide_.shapes.size()));
     const long double length = nearest(root(dot(shape.normal, shape.normal)));
-    add_shape(std::move(shape), plane.object, material(plane.material), length);
+    add_shape(std::move(shape), plane.object, material(plane.material), length,
+              {ShapeOf::Kind::plane, index_in(scene.planes, plane)}, false);
   }
   for (const Polygon &polygon : scene.polygons) {
     Shape<Wide> shape;
@@ -303,7 +336,8 @@ Oracle::State::State(const SceneFile &scene, int width, int height) : width_(wid
       shape.vertices.push_back(vector(v) * scale);
     if (!set_polygon_plane(shape)) continue; /* no area: never seen, never in the way */
     const long double length = nearest(root(dot(shape.normal, shape.normal)));
-    add_shape(std::move(shape), polygon.object, material(polygon.material), length);
+    add_shape(std::move(shape), polygon.object, material(polygon.material), length,
+              {ShapeOf::Kind::polygon, index_in(scene.polygons, polygon)}, !polygon.normals.empty());
   }
   finish_shapes();
 }
@@ -323,11 +357,11 @@ void Oracle::State::set_camera(const SceneFile &scene) {
   depth_factor_ = nearest(distance * right_length * forward_length);
 }
 
-void Oracle::State::add_shape(Shape<Wide> shape, std::uint16_t object, const Material &material,
-                              long double normal_length) {
+void Oracle::State::add_shape(Shape<Wide> shape, std::uint16_t object, const Material &material, long double normal_length,
+                              const ShapeOf &what, bool has_normals) {
   const auto albedo = [&](const Number &channel) { return nearest(number(channel) * number(material.kd)); };
   const Rgb &c = material.colour;
-  surfaces_.push_back({object, {albedo(c.r), albedo(c.g), albedo(c.b)}, normal_length});
+  surfaces_.push_back({object, {albedo(c.r), albedo(c.g), albedo(c.b)}, normal_length, what, Radiance::layered(material, has_normals)});
   shape.eye_side = side_of(shape, wide_.eye);
   eye_sides_.push_back(sign_of(shape.eye_side));
   for (const Vec<Wide> &light : wide_.lights)
@@ -579,7 +613,7 @@ void Oracle::State::shade(Visible &seen, Ray &ray, std::vector<OracleAnswer> &an
     const long double length = root(dot(to_light, to_light)).mid();
     const long double distance = length / p.w.mid();
     const long double cosine = std::fabs(dot(normal, to_light).mid()) / (normal_length * length);
-    strength[i] = length > 0 ? (inverse_square_ ? cosine / (distance * distance) : cosine) : 0;
+    strength[i] = length > 0 ? (inverse_square_ && !directional_[i] ? cosine / (distance * distance) : cosine) : 0;
   }
 
   OracleAnswer answer;
@@ -601,8 +635,17 @@ void Oracle::State::shade(Visible &seen, Ray &ray, std::vector<OracleAnswer> &an
       for (std::size_t k = 0; k < 3; ++k)
         sum[k] += light_colours_[i][k] * strength[i];
     }
+    if (surface.layered) {
+      Real3 point = middles(p.x);
+      for (long double &c : point)
+        c /= p.w.mid();
+      sum = radiance_.surface(surface.shape, point, middles(ray.line.dir), lit);
+    } else {
+      for (std::size_t k = 0; k < 3; ++k)
+        sum[k] *= surface.albedo[k];
+    }
     for (std::size_t k = 0; k < 3; ++k)
-      answer.colour[k] = level(surface.albedo[k] * sum[k]);
+      answer.colour[k] = level(sum[k]);
     add_answer(answers, answer);
   }
 }
@@ -614,8 +657,9 @@ OraclePixel Oracle::State::pixel(int x, int y, double dx, double dy) const {
 
   OraclePixel out;
   OracleAnswer background;
+  const Real3 sky = radiance_.background(middles(ray.line.dir));
   for (std::size_t k = 0; k < 3; ++k)
-    background.colour[k] = level(background_[k]);
+    background.colour[k] = level(sky[k]);
   bool background_possible = false, background_first = false;
   std::vector<Visible> seen = visible(ray, out.escalated, background_possible, background_first);
   if (background_first) add_answer(out.answers, background);

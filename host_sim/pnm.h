@@ -19,6 +19,10 @@ std::string image_extension(const std::string &path);
 bool write_if_pnm(const std::string &path, const Image8 &image);
 bool write_if_pnm(const std::string &path, const Image16 &image);
 
+/* Reads a binary PPM or PGM of 8 or 16 bits (maximum 255 or 65535) if `path` ends in .pnm, .ppm or .pgm, and tells whether it
+ * did. Throws UserError "PATH: cannot read: reason; what to do". */
+bool read_if_pnm(const std::string &path, Raster &raster);
+
 } // namespace host
 
 #endif

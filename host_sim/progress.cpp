@@ -1,6 +1,7 @@
 /* How far a long job is and how long it will take. */
 #include "progress.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -21,8 +22,11 @@ Progress::~Progress() {
 void Progress::update(std::size_t done) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   if (!terminal_ || seconds < 1 || done == 0 || total_ == 0) return;
-  const double part = static_cast<double>(done) / static_cast<double>(total_);
-  (void)std::fprintf(stderr, "\r%s: %.0f %%, %.0f s left\033[K", what_.c_str(), 100 * part,
+  const double part = std::min(1.0, static_cast<double>(done) / static_cast<double>(total_));
+  constexpr std::size_t width = 24;
+  const auto full = static_cast<std::size_t>(part * width);
+  const std::string bar = std::string(full, '#') + std::string(width - full, '.');
+  (void)std::fprintf(stderr, "\r%s [%s] %.0f %%, %.0f s left\033[K", what_.c_str(), bar.c_str(), 100 * part,
                      seconds * (1 - part) / part);
   (void)std::fflush(stderr);
   shown_ = true;

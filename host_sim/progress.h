@@ -17,7 +17,7 @@ public:
   Progress(const Progress &) = delete;
   Progress &operator=(const Progress &) = delete;
 
-  /* `done` of the total. Silent in the first second. */
+  /* `done` of the total: a bar, the percentage and the time left. Silent in the first second. */
   void update(std::size_t done);
 
 private:

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "auto_view.h"
 #include "scene_file.h"
 #include "to_core.h"
 
@@ -15,7 +16,8 @@ namespace host {
 
 /* As typed. */
 struct SceneOptions {
-  std::string scene, size, world_scale = "1", offset = "exact", bvh = "auto", profile = "exact";
+  std::string scene, size, world_scale = "1", offset = "exact", bvh = "auto", profile = "exact", transfer = "linear";
+  ViewOptions view;
   bool json = false;
 };
 
@@ -27,15 +29,22 @@ struct LoadedScene {
   int width = 0, height = 0;
 };
 
-/* SCENE, --size and --world-scale. */
+/* SCENE, --size, --world-scale, --bvh, and the camera and lights over those of the file. */
 void add_scene_options(CLI::App &command, SceneOptions &options);
+/* The same without --size, for those whose frames have a size of their own; returns SCENE, which may be made optional. */
+CLI::Option *add_sized_scene_options(CLI::App &command, SceneOptions &options);
 void add_offset_option(CLI::App &command, SceneOptions &options);
 void add_profile_option(CLI::App &command, SceneOptions &options);
+void add_transfer_option(CLI::App &command, SceneOptions &options);
 void add_bvh_option(CLI::App &command, SceneOptions &options);
+void add_view_options(CLI::App &command, SceneOptions &options);
 void add_json_option(CLI::App &command, SceneOptions &options);
 
-/* Reads and converts the scene. Throws UserError. */
+/* Reads and converts the scene, NFF or, by its name, OBJ; warnings go to stderr. Throws UserError. */
 LoadedScene load_scene(const SceneOptions &options);
+
+/* The same for a file that was read before, its camera or lights perhaps moved since. Throws UserError. */
+LoadedScene prepare_scene(const SceneOptions &options, SceneFile file);
 
 /* Throws UserError if writing `output` would replace the file `input`. */
 void check_not_same_file(const std::string &input, const std::string &output);

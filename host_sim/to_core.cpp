@@ -64,6 +64,13 @@ std::optional<int> own_exponent(std::initializer_list<Triple> vectors, int unit,
   return 0;
 }
 
+/* Whether the corners are on one line: differences have 31 bits, products 62. */
+bool is_flat(const std::array<fc_vec3, 3> &c) {
+  const std::int64_t ax = std::int64_t{c[1].x} - c[0].x, ay = std::int64_t{c[1].y} - c[0].y, az = std::int64_t{c[1].z} - c[0].z;
+  const std::int64_t bx = std::int64_t{c[2].x} - c[0].x, by = std::int64_t{c[2].y} - c[0].y, bz = std::int64_t{c[2].z} - c[0].z;
+  return ay * bz == az * by && az * bx == ax * bz && ax * by == ay * bx;
+}
+
 Triple values(const Vector &v) {
   return {v.x.value, v.y.value, v.z.value};
 }
@@ -77,8 +84,9 @@ public:
 
   CoreScene run() {
     choose_unit();
-    for (const Material &m : file_.materials)
-      material_index_.push_back(add_material(m));
+    material_index_.resize(2 * file_.materials.size());
+    for (std::size_t i = 0; i < file_.materials.size(); i++)
+      (void)material(static_cast<int>(i));
     for (const Sphere &s : file_.spheres)
       add(s);
     for (const Plane &p : file_.planes)
@@ -88,6 +96,7 @@ public:
     for (const Light &l : file_.lights)
       add(l);
     set_camera();
+    count_edges();
     split_triangles();
     finish_scene();
     return std::move(out_);
@@ -136,23 +145,105 @@ private:
     return {q[0], q[1], q[2]};
   }
 
-  std::uint16_t add_material(const Material &m) {
+  std::uint16_t add_material(const Material &m, bool smooth) {
     Triple c = values(m.colour);
     for (long double &v : c)
       v *= m.kd.value;
     const fc_rgb q = q15(c, 32768, m.line, "the material's colour times Kd");
-    const auto found = material_of_.find({q.r, q.g, q.b});
-    if (found != material_of_.end()) return found->second;
+    std::unique_ptr<CoreLayers> layers = make_layers(m, smooth);
+    if (!layers) {
+      const auto found = material_of_.find({q.r, q.g, q.b});
+      if (found != material_of_.end()) return found->second;
+    }
     if (out_.materials.size() >= 0xffff)
       fail(file_, m.line, "more than 65535 different materials; merge some");
     const auto index = static_cast<std::uint16_t>(out_.materials.size());
-    out_.materials.push_back({q, 0, nullptr});
-    material_of_[{q.r, q.g, q.b}] = index;
+    if (layers)
+      out_.materials.push_back({q, static_cast<std::uint16_t>(layers->list.size()), layers->list.data()});
+    else
+      out_.materials.push_back({q, 0, nullptr});
+    if (!layers) material_of_[{q.r, q.g, q.b}] = index;
+    out_.layers.push_back(std::move(layers));
     return index;
   }
 
-  std::uint16_t material(int index) const {
-    return material_index_.at(static_cast<std::size_t>(index));
+  /* nullptr for a matte material. */
+  std::unique_ptr<CoreLayers> make_layers(const Material &m, bool smooth) const {
+    auto layers = std::make_unique<CoreLayers>();
+    if (smooth) layers->list.push_back({&fc_layer_smooth, nullptr});
+    if (m.texture) {
+      set_texture(*m.texture, m.line, *layers);
+      layers->list.push_back({&fc_layer_texture, &layers->texture});
+    }
+    if (m.emission) {
+      Triple c = values(*m.emission);
+      int e = 0;
+      while (largest({c}) > 1.99L && e < 7) {
+        for (long double &v : c)
+          v /= 2;
+        e++;
+      }
+      layers->emission.exponent = static_cast<std::int8_t>(e);
+      layers->emission.light = q15(c, 65535, m.line, "the emission");
+      layers->list.push_back({&fc_layer_emission, &layers->emission});
+    }
+    if (m.ks.value > 0 && m.shine.value > 0) {
+      const long double exponent = std::round(m.shine.value * 256);
+      if (exponent < 1 || exponent > 16777216) fail(file_, m.line, "the shine is outside 0.002..65536");
+      layers->phong.specular = q15({m.ks.value, m.ks.value, m.ks.value}, 65535, m.line, "Ks");
+      layers->phong.shininess_q8 = static_cast<std::uint32_t>(exponent);
+      layers->list.push_back({&fc_layer_phong, &layers->phong});
+    }
+    if (m.mirror) {
+      layers->mirror.reflectance = q15(values(m.mirror->reflectance), 32768, m.line, "the mirror's reflectance");
+      layers->mirror.bounces = static_cast<std::uint8_t>(m.mirror->bounces);
+      layers->list.push_back({&fc_layer_mirror, &layers->mirror});
+    }
+    if (layers->list.empty()) return nullptr;
+    if (layers->list.size() > FC_LAYERS_MAX)
+      fail(file_, m.line, "a material that is smooth, textured, emitting, shiny and a mirror; leave one out");
+    return layers;
+  }
+
+  void set_texture(const Texture &t, int line, CoreLayers &layers) const {
+    fc_mapping &mapping = layers.mapping;
+    switch (t.mapping.kind) {
+      case Mapping::Kind::planar: mapping.kind = &fc_mapping_planar; break;
+      case Mapping::Kind::spherical: mapping.kind = &fc_mapping_spherical; break;
+      case Mapping::Kind::vertices: mapping.kind = &fc_mapping_vertices; break;
+    }
+    if (t.mapping.kind == Mapping::Kind::planar) {
+      const Triple origin = scaled(t.mapping.origin), u = scaled(t.mapping.u), v = scaled(t.mapping.v);
+      const std::optional<int> exponent = own_exponent({origin, u, v}, unit_, -31, 32);
+      if (!exponent) fail(file_, line, "the texture's origin or axes are too large for the size of the scene");
+      mapping.exponent = static_cast<std::int8_t>(*exponent);
+      mapping.origin = on_grid(origin, unit_ + *exponent);
+      mapping.u = on_grid(u, unit_ + *exponent);
+      mapping.v = on_grid(v, unit_ + *exponent);
+    }
+    mapping.repeat_u = static_cast<std::uint8_t>(t.mapping.repeat_u);
+    mapping.repeat_v = static_cast<std::uint8_t>(t.mapping.repeat_v);
+    layers.texture.mapping = &layers.mapping;
+    layers.texture.modulate = t.modulate;
+    if (t.texels) {
+      layers.texels = *t.texels;
+      layers.image = {layers.texels.data(), static_cast<std::uint16_t>(t.width), static_cast<std::uint16_t>(t.height),
+                      FC_TEXEL_RGB888, t.bilinear, t.clamp};
+      layers.texture.pattern = &fc_pattern_image;
+      layers.texture.pattern_data = &layers.image;
+    } else {
+      for (std::size_t i = 0; i < 2; i++)
+        layers.checker.colour[i] = q15(values(t.checker[i]), 32768, line, "the checker's colour");
+      layers.texture.pattern = &fc_pattern_checker;
+      layers.texture.pattern_data = &layers.checker;
+    }
+  }
+
+  /* A material, and the one for the polygons that are shaded smoothly. Made when first used, in the order of use. */
+  std::uint16_t material(int index, bool smooth = false) {
+    std::optional<std::uint16_t> &known = material_index_.at(2 * static_cast<std::size_t>(index) + smooth);
+    if (!known) known = add_material(file_.materials.at(static_cast<std::size_t>(index)), smooth);
+    return *known;
   }
 
   void reserve_primitives(std::size_t more, int line) {
@@ -199,27 +290,54 @@ private:
     out_.planes.push_back({q, q_d, static_cast<std::int8_t>(d_exponent), material(p.material), p.object});
   }
 
-  std::uint16_t vertex(const Vector &v, int line) {
-    const fc_vec3 q = on_grid(scaled(v), unit_);
-    const auto found = vertex_of_.find({q.x, q.y, q.z});
+  /* Q14 of a unit vector; zero for a zero one. */
+  static fc_normal unit_q14(const Triple &n) {
+    const long double length = std::hypot(std::hypot(n[0], n[1]), n[2]);
+    const auto q = [&](long double v) { return static_cast<std::int16_t>(length > 0 ? std::round(v / length * 16384) : 0); };
+    return {q(n[0]), q(n[1]), q(n[2])};
+  }
+
+  static fc_uv uv_q16(const std::array<Number, 2> &uv) {
+    const auto q = [](const Number &n) {
+      return static_cast<std::int32_t>(std::round(std::min(std::max(n.value, -16384.0L), 16384.0L) * 65536));
+    };
+    return {q(uv[0]), q(uv[1])};
+  }
+
+  /* A polygon's corner, which stands at q on the grid. */
+  std::uint16_t vertex(const Polygon &p, std::size_t i, const fc_vec3 &q) {
+    const int line = p.line;
+    const fc_normal n = p.normals.empty() ? fc_normal{} : unit_q14(values(p.normals.at(i)));
+    const fc_uv t = p.uvs.empty() ? fc_uv{} : uv_q16(p.uvs.at(i));
+    const std::array<std::int32_t, 8> key = {q.x, q.y, q.z, n.x, n.y, n.z, t.u, t.v};
+    const auto found = vertex_of_.find(key);
     if (found != vertex_of_.end()) return found->second;
     if (out_.vertices.size() >= 0xffff)
       fail(file_, line, "this makes more than 65535 vertices; simplify the mesh or split the scene");
     const auto index = static_cast<std::uint16_t>(out_.vertices.size());
     out_.vertices.push_back(q);
-    vertex_of_[{q.x, q.y, q.z}] = index;
+    out_.normals.push_back(n);
+    out_.uvs.push_back(t);
+    vertex_of_[key] = index;
     return index;
   }
 
   void add(const Polygon &p) {
     if (p.vertices.size() > FC_PRIMITIVES_MAX) reserve_primitives(p.vertices.size(), p.line);
     const std::vector<std::array<int, 3>> triangles = triangulate(p);
-    reserve_primitives(triangles.size(), p.line);
     for (const std::array<int, 3> &t : triangles) {
+      std::array<fc_vec3, 3> corners{};
+      for (std::size_t i = 0; i < 3; i++)
+        corners[i] = on_grid(scaled(p.vertices.at(static_cast<std::size_t>(t[i]))), unit_);
+      if (is_flat(corners)) {
+        out_.mesh.dropped++;
+        continue;
+      }
+      reserve_primitives(1, p.line);
       fc_triangle triangle{};
       for (std::size_t i = 0; i < 3; i++)
-        triangle.vertex[i] = vertex(p.vertices.at(static_cast<std::size_t>(t[i])), p.line);
-      triangle.material = material(p.material);
+        triangle.vertex[i] = vertex(p, static_cast<std::size_t>(t[i]), corners[i]);
+      triangle.material = material(p.material, !p.normals.empty());
       triangle.object = p.object;
       out_.triangles.push_back(triangle);
     }
@@ -228,16 +346,22 @@ private:
   void add(const Light &l) {
     if (out_.lights.size() >= 0xffff) fail(file_, l.line, "more than 65535 lights; remove some");
     fc_light light{};
-    const Triple position = scaled(l.position);
-    const std::optional<int> exponent = own_exponent({position}, unit_, -31, 32);
-    if (!exponent)
-      fail(file_, l.line, "the light is too far away for the size of the scene; bring it nearer");
-    light.exponent = static_cast<std::int8_t>(*exponent);
-    light.position = on_grid(position, unit_ + *exponent);
+    if (l.directional) {
+      const Triple towards = values(l.position);
+      light.directional = 1;
+      light.position = on_grid(towards, finest_exponent(largest({towards})));
+    } else {
+      const Triple position = scaled(l.position);
+      const std::optional<int> exponent = own_exponent({position}, unit_, -31, 32);
+      if (!exponent)
+        fail(file_, l.line, "the light is too far away for the size of the scene; bring it nearer");
+      light.exponent = static_cast<std::int8_t>(*exponent);
+      light.position = on_grid(position, unit_ + *exponent);
+    }
 
     const long double n = static_cast<long double>(file_.lights.size());
     Triple c = l.colour ? values(*l.colour) : Triple{1 / std::sqrt(n), 1 / std::sqrt(n), 1 / std::sqrt(n)};
-    if (file_.falloff == Falloff::inverse_square) {
+    if (file_.falloff == Falloff::inverse_square && !l.directional) {
       light.inverse_square = 1;
       const long double scale =
           static_cast<long double>(file_.scale_numerator) / static_cast<long double>(file_.scale_denominator);
@@ -261,6 +385,20 @@ private:
     out_.lights.push_back(light);
   }
 
+  /* Of an object's triangles; equal vertices are one here. */
+  void count_edges() {
+    std::map<std::tuple<std::uint16_t, std::uint16_t, std::uint16_t>, int> edges;
+    for (const fc_triangle &t : out_.triangles)
+      for (std::size_t i = 0; i < 3; i++) {
+        const std::uint16_t a = t.vertex[i], b = t.vertex[(i + 1) % 3];
+        edges[{t.object, std::min(a, b), std::max(a, b)}]++;
+      }
+    for (const auto &[edge, uses] : edges) {
+      if (uses == 1) out_.mesh.boundary_edges++;
+      if (uses > 2) out_.mesh.non_manifold_edges++;
+    }
+  }
+
   /* Runs of closed meshes and of everything else, in the author's order, each with vertices of its own. A table costs
    * the core some memory, so a scene that alternates often stays in one. */
   void split_triangles() {
@@ -276,6 +414,8 @@ private:
       runs += closed[i] != closed[i - 1];
     if (runs > most) closed.assign(count, false);
     std::vector<fc_vec3> vertices;
+    std::vector<fc_normal> normals;
+    std::vector<fc_uv> uvs;
     std::map<std::uint16_t, std::uint16_t> renamed;
     for (std::size_t i = 0; i < count; i++) {
       if (i == 0 || closed[i] != closed[i - 1]) {
@@ -288,18 +428,23 @@ private:
         const auto [found, is_new] = renamed.insert({v, static_cast<std::uint16_t>(table.vertices)});
         if (is_new) {
           vertices.push_back(out_.vertices[v]);
+          normals.push_back(out_.normals[v]);
+          uvs.push_back(out_.uvs[v]);
           table.vertices++;
         }
         v = found->second;
       }
     }
     out_.vertices = std::move(vertices);
+    const auto any = [&](auto has) { return std::any_of(file_.polygons.begin(), file_.polygons.end(), has); };
+    out_.normals = any([](const Polygon &p) { return !p.normals.empty(); }) ? std::move(normals) : std::vector<fc_normal>{};
+    out_.uvs = any([](const Polygon &p) { return !p.uvs.empty(); }) ? std::move(uvs) : std::vector<fc_uv>{};
   }
 
   template <typename T>
   void add_table(const fc_kind *kind, const std::vector<T> &table) {
     if (table.empty()) return;
-    out_.shapes.push_back({kind, table.data(), nullptr, static_cast<std::uint16_t>(table.size()), 0, 0});
+    out_.shapes.push_back({kind, table.data(), nullptr, static_cast<std::uint16_t>(table.size()), 0, nullptr, nullptr, 0});
   }
 
   void finish_scene() {
@@ -308,6 +453,8 @@ private:
     for (const TriangleTable &table : out_.triangle_tables)
       out_.shapes.push_back({&fc_kind_triangle, out_.triangles.data() + table.triangle, out_.vertices.data() + table.vertex,
                              static_cast<std::uint16_t>(table.triangles), static_cast<std::uint16_t>(table.vertices),
+                             out_.normals.empty() ? nullptr : out_.normals.data() + table.vertex,
+                             out_.uvs.empty() ? nullptr : out_.uvs.data() + table.vertex,
                              static_cast<std::uint8_t>(table.closed)});
     fc_scene &scene = out_.scene;
     scene.shapes = out_.shapes.data();
@@ -318,6 +465,13 @@ private:
     scene.light_count = static_cast<std::uint16_t>(out_.lights.size());
     scene.ambient = q15(values(file_.ambient), 65535, 0, "the ambient light");
     scene.background = q15(values(file_.background), 65535, 0, "the background colour");
+    if (file_.gradient) {
+      const Triple up = values(file_.gradient->up);
+      if (largest({up}) == 0) fail(file_, file_.gradient->line, "the gradient's up is 0 0 0; give it a direction");
+      out_.sky.push_back({&fc_sky_gradient, on_grid(up, finest_exponent(largest({up}))),
+                          q15(values(file_.gradient->top), 32768, file_.gradient->line, "the gradient's colour")});
+      scene.sky = out_.sky.data();
+    }
     if (file_.far) {
       const long double limit = scaled(*file_.far);
       const std::optional<int> exponent = own_exponent({{limit, 0, 0}}, unit_, -31, 32);
@@ -368,9 +522,9 @@ private:
   CoreScene out_;
   int unit_ = 0;
   std::size_t primitives_ = 0;
-  std::vector<std::uint16_t> material_index_; /* of a SceneFile material in out_.materials */
+  std::vector<std::optional<std::uint16_t>> material_index_; /* of a SceneFile material in out_.materials: flat, smooth */
   std::map<std::tuple<std::uint16_t, std::uint16_t, std::uint16_t>, std::uint16_t> material_of_;
-  std::map<std::tuple<std::int32_t, std::int32_t, std::int32_t>, std::uint16_t> vertex_of_;
+  std::map<std::array<std::int32_t, 8>, std::uint16_t> vertex_of_; /* position, normal, uv */
 };
 
 } // namespace

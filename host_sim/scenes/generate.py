@@ -94,8 +94,8 @@ def s1r():
     return lines + camera("0.75 2 1.5", "0 0.75 -4", "0.17 0.98 0", "0.466", 128) + bench_rest()
 
 
-def icosphere():
-    """An icosahedron's faces, outside anticlockwise, divided twice: 320 triangles of the unit sphere."""
+def icosphere(divisions=2):
+    """An icosahedron's faces, outside anticlockwise, divided: 20, 80, 320 triangles of the unit sphere."""
     golden = (1 + math.sqrt(5)) / 2
     corners = []
     for a in (-1, 1):
@@ -110,7 +110,7 @@ def icosphere():
                 if all(dot(sub(p, q), sub(p, q)) < 5 for p, q in ((a, b), (b, c), (c, a))):
                     outward = dot(cross(sub(b, a), sub(c, a)), a) > 0
                     faces.append(tuple(unit(p) for p in ((a, b, c) if outward else (a, c, b))))
-    for _ in range(2):
+    for _ in range(divisions):
         divided = []
         for a, b, c in faces:
             # a + b is b + a to the last bit: both faces of an edge get the same point
@@ -161,6 +161,102 @@ def s2():
     for face in ground_grid():
         lines += lit_face(face, GROUND)
     return lines
+
+
+def s3():
+    lines = header("S3: S1 with its first sphere a perfect mirror of up to four bounces.") + LEVEL_CAMERA
+    for line in bench_rest():
+        if line.startswith("s ") and not any(earlier.startswith("#fc: mirror") for earlier in lines):
+            lines[-1] = matte("0 0 0")
+            lines.append("#fc: mirror 1 1 1 4")
+        lines.append(line)
+    return lines
+
+
+def show():
+    """Everything a material can be, under two lights and a gradient."""
+    lines = header("A showpiece: a mirror, highlights, a globe, a lamp, a polished checker floor, a sky.",
+                   "Made for a display with a transfer function: fixcast render --transfer srgb.")
+    lines += camera("0.3 2.1 5.6", "0.12 0.72 -1", "0 1 0", "0.41", 240)
+    lines += ["b 0.80 0.86 0.95", "#fc: gradient 0 1 0 0.05 0.16 0.52", "#fc: ambient 0.10 0.11 0.14", "#fc: far 200",
+              "l -4 6 4 0.62 0.58 0.50", "#fc: sun 3 4 1.5 0.26 0.27 0.34"]
+    floor = ["#fc: checker 0.62 0.58 0.50 0.10 0.09 0.08 planar 0 0 0 2 0 0 0 0 2", "#fc: mirror 0.16 0.16 0.16 3", "#fc: plane 0 1 0 0"]
+    balls = [("0.02 0.02 0.02", "0.7 300", ["#fc: mirror 0.92 0.92 0.95 4"], "0 1.15 -1.6 1.15"),
+             ("0.62 0.05 0.04", "0.55 60", ["#fc: mirror 0.08 0.06 0.06 2"], "-1.75 0.7 0.1 0.7"),
+             ("0.04 0.22 0.11", "0.45 24", [], "1.05 0.42 0.95 0.42"),
+             ("0.75 0.52 0.12", "0.6 90.5", ["#fc: mirror 0.25 0.17 0.05 2"], "0.12 0.3 1.5 0.3"),
+             ("1 1 1", "0.2 16", ["#fc: image globe.ppm bilinear spherical"], "1.95 0.72 -0.4 0.72"),
+             ("0.1 0.1 0.1", "0 1", ["#fc: emission 1.5 1.15 0.6"], "-0.72 0.2 1.35 0.2")]
+    for colour, shine, layers, ball in balls:
+        lines += [f"f {colour} 1 {shine} 0 1"] + layers + [f"s {ball}"]
+    return lines + ["f 1 1 1 1 0 1 0 1"] + floor
+
+
+def smooth():
+    """The same coarse ball flat and smooth, and a smooth one that shines."""
+    lines = header("Smooth shading: three balls of 80 triangles; the first is flat, the others have a normal a vertex.")
+    lines += camera("0 1.6 5.5", "0 0.6 0", "0 1 0", "0.42", 240)
+    lines += ["b 0.35 0.4 0.45", "#fc: ambient 0.12", "l -3 5 4 0.8 0.8 0.75", "l 4 2 3 0.15 0.2 0.3"]
+    for index, (x, material) in enumerate(((-1.5, "0.8 0.35 0.2 1 0 1 0 1"), (0, "0.8 0.35 0.2 1 0 1 0 1"),
+                                           (1.5, "0.25 0.45 0.8 1 0.6 30 0 1"))):
+        lines += [f"#fc: object {index + 1}", "f " + material]
+        for face in icosphere(1):
+            points = [(x + 0.7 * p[0], 0.7 + 0.7 * p[1], 0.7 * p[2]) for p in face]
+            if index == 0:
+                lines += plain_face(points)
+            else:
+                lines += ["pp 3"] + [join(point + normal) for point, normal in zip(points, face)]
+    lines += ["#fc: object 4", "f 1 1 1 1 0 1 0 1", "#fc: image tiles.ppm bilinear planar -4 0 -4 2 0 0 0 0 2"]
+    return lines + quad((-4, 0, 3), (4, 0, 3), (4, 0, -4), (-4, 0, -4))
+
+
+def ppm(width, height, pixel):
+    rows = b"".join(bytes(pixel(x, y)) for y in range(height) for x in range(width))
+    return b"P6\n%d %d\n255\n" % (width, height) + rows
+
+
+def hashed(x, y, seed):
+    """A number 0..1 of a lattice point."""
+    n = (x * 374761393 + y * 668265263 + seed * 2246822519) & 0xFFFFFFFF
+    n = ((n ^ (n >> 13)) * 1274126177) & 0xFFFFFFFF
+    return ((n ^ (n >> 16)) & 0xFFFF) / 65535
+
+
+def noise(x, y, period, seed):
+    """Value noise of a lattice that repeats in x every `period` cells."""
+    ix, iy = int(math.floor(x)), int(math.floor(y))
+    fx, fy = x - ix, y - iy
+    fx, fy = fx * fx * (3 - 2 * fx), fy * fy * (3 - 2 * fy)
+    a = hashed(ix % period, iy, seed) * (1 - fx) + hashed((ix + 1) % period, iy, seed) * fx
+    b = hashed(ix % period, iy + 1, seed) * (1 - fx) + hashed((ix + 1) % period, iy + 1, seed) * fx
+    return a * (1 - fy) + b * fy
+
+
+def globe_texel(x, y, width, height):
+    """Seas, land that dries towards its middle, ice at the poles."""
+    level = sum(noise(x * period / width, y * period / (2 * height) + 7, period, period) * share
+                for period, share in ((5, 0.5), (11, 0.28), (23, 0.15), (47, 0.07)))
+    pole = abs(2 * (y + 0.5) / height - 1)
+    if pole + 0.25 * level > 1.0:
+        return 215, 225, 235
+    if level < 0.52:
+        deep = max(0.0, min(1.0, (0.52 - level) * 5))
+        return int(14 + 12 * (1 - deep)), int(48 + 44 * (1 - deep)), int(120 + 40 * (1 - deep))
+    dry = max(0.0, min(1.0, (level - 0.54) * 7))
+    return int(40 + 110 * dry), int(96 + 14 * dry), int(34 + 26 * dry)
+
+
+def tiles_texel(x, y):
+    """Two by two tiles with joints and a bevel."""
+    u, v = x % 16, y % 16
+    if u == 0 or v == 0:
+        return 60, 58, 55
+    light = (u == 1 or v == 1) - (u == 15 or v == 15)
+    tone = 150 + 34 * ((x // 16 + y // 16) % 2) + 22 * light
+    return tone, tone - 8, tone - 20
+
+
+IMAGES = {"globe": lambda: ppm(128, 64, lambda x, y: globe_texel(x, y, 128, 64)), "tiles": lambda: ppm(32, 32, tiles_texel)}
 
 
 def plain_face(face):
@@ -350,10 +446,13 @@ def main():
     if len(arguments) > 1 or (bench and not arguments):
         sys.exit("usage: generate.py [DIRECTORY] or generate.py --bench DIRECTORY")
     directory = arguments[0] if arguments else os.path.dirname(os.path.abspath(__file__))
-    scenes = bench_only() if bench else {scene.__name__: scene() for scene in (s1, s1r, s2, box, flake, fight)}
+    scenes = bench_only() if bench else {scene.__name__: scene() for scene in (s1, s1r, s2, s3, box, flake, fight, show, smooth)}
     for name, lines in scenes.items():
         with open(os.path.join(directory, name + ".nff"), "w", encoding="ascii", newline="\n") as file:
             file.write("\n".join(lines) + "\n")
+    for name, image in ({} if bench else IMAGES).items():
+        with open(os.path.join(directory, name + ".ppm"), "wb") as file:
+            file.write(image())
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@
 extern "C" {
 #endif
 
-/* Called when the bytes of an asynchronous transfer have left, with `error` FC_OK or negative. It may run in an interrupt
+/* Called once when the bytes of an asynchronous transfer have left or it has failed, with `error` FC_OK or negative. It may run in an interrupt
  * or on another thread; the bytes are the caller's again once it has been called. */
 typedef void fc_ready(void *context, int error);
 
@@ -45,7 +45,8 @@ typedef struct fc_bus_ops {
   int (*wait_vsync)(void *context);
 } fc_bus_ops;
 
-/* `ops` may live in flash. The context is the port's and must live as long as anything that uses the bus. */
+/* `ops` is constant data that can be read through a pointer (on AVR: not PROGMEM). The context is the port's and must live as long as
+ * anything that uses the bus. */
 typedef struct fc_bus {
   const fc_bus_ops *ops;
   void *context;

@@ -7,6 +7,7 @@
 #ifndef FIXCAST_MATERIAL_H
 #define FIXCAST_MATERIAL_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "fixcast/vec3.h"
@@ -60,7 +61,7 @@ typedef struct fc_material {
 extern const fc_layer_kind fc_layer_phong;
 typedef struct fc_phong {
   fc_rgb specular;        /* Q1.15 */
-  uint16_t shininess_q4;  /* exponent, sixteenths: 16 is 1.0; 1 or more */
+  uint32_t shininess_q8;  /* exponent: 256 is 1.0; 1 .. 2^24 */
 } fc_phong;
 
 /* A perfect mirror in the normal: adds reflectance * what is seen that way, up to `bounces` mirrors in a row (those of the first mirror count);
@@ -78,6 +79,67 @@ typedef struct fc_emission {
   fc_rgb light;    /* Q1.15 */
   int8_t exponent; /* 0..7 */
 } fc_emission;
+
+/* Smooth shading: triangles are shaded with their vertices' normals (fc_shapes.normals), weighted by the hit's barycentrics, instead of their own. Which lights
+ * reach the point stays a matter of the flat triangle. Takes no data, and does nothing to other shapes. Within 2^-13. */
+extern const fc_layer_kind fc_layer_smooth;
+#define FC_SMOOTH \
+  { &fc_layer_smooth, NULL }
+
+/* How a point gets its texture coordinates (u, v): from 0 to 1 across one tile, u to the right and v downwards as the image is stored. */
+typedef struct fc_mapping_kind fc_mapping_kind;
+extern const fc_mapping_kind fc_mapping_planar;    /* (P - origin) . u / u.u, the same with v: one tile from origin to origin + u + v; within 2^-24
+                                                      of itself and of the tiles away */
+extern const fc_mapping_kind fc_mapping_spherical; /* of the normal in world axes: u from +z over +x once around +y, v from +y down to -y; within 2^-20 */
+extern const fc_mapping_kind fc_mapping_vertices;  /* triangles: fc_shapes.uvs by the hit's barycentrics, so right in perspective; (0, 0) on other shapes */
+typedef struct fc_mapping {
+  const fc_mapping_kind *kind;
+  fc_vec3 origin, u, v; /* planar: times 2^exponent, in world coordinates; u and v not 0 */
+  int8_t exponent;      /* -31..32 */
+  uint8_t repeat_u, repeat_v; /* what comes out is multiplied by these; 1 or more */
+} fc_mapping;
+
+/* What colour stands at (u, v). */
+typedef struct fc_pattern_kind fc_pattern_kind;
+extern const fc_pattern_kind fc_pattern_checker; /* two by two squares a tile, the first colour at (0, 0) */
+extern const fc_pattern_kind fc_pattern_image;
+typedef struct fc_checker {
+  fc_rgb colour[2];
+} fc_checker;
+typedef enum fc_texel_format {
+  FC_TEXEL_RGB888 = 0, /* three bytes, red first */
+  FC_TEXEL_RGB565 = 1, /* uint16_t, red on top */
+  FC_TEXEL_GREY8 = 2
+} fc_texel_format;
+/* Levels are proportional to light. Texel (x, y) covers u in x / width .. (x + 1) / width. */
+typedef struct fc_image {
+  const void *texels; /* rows from the top, without gaps; may live in flash */
+  uint16_t width, height; /* 1..4096 */
+  uint8_t format;     /* fc_texel_format */
+  uint8_t bilinear;   /* 0: the nearest texel; 1: between the four around, weights within 2^-8 */
+  uint8_t clamp;      /* 0: tiles; 1: the border's texels go on for ever */
+} fc_image;
+
+/* A texture: what stands at a point's coordinates replaces the reflectance, or is multiplied with it. */
+extern const fc_layer_kind fc_layer_texture;
+typedef struct fc_texture {
+  const fc_mapping *mapping;
+  const fc_pattern_kind *pattern;
+  const void *pattern_data; /* fc_checker or fc_image */
+  uint8_t modulate;         /* 0: replaces; 1: multiplies */
+} fc_texture;
+
+/* What rays see that meet nothing, instead of fc_scene.background. */
+typedef struct fc_sky_kind fc_sky_kind;
+
+/* A gradient from the background (looking against `up`) to `top` (looking along it): linear in the cosine between the ray and `up`, each channel
+ * within 2^-20. */
+extern const fc_sky_kind fc_sky_gradient;
+typedef struct fc_sky {
+  const fc_sky_kind *kind;
+  fc_vec3 up; /* world axes, any length but 0 */
+  fc_rgb top;
+} fc_sky;
 
 #ifdef __cplusplus
 }

@@ -14,6 +14,7 @@
 #include "fixcast/framebuffer.h"
 #include "fixcast/ray.h"
 #include "fixcast/scene.h"
+#include "fixcast/transfer.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -37,6 +38,7 @@ typedef struct fc_options {
   int8_t epsilon_exponent; /* -31..31 */
   uint8_t profile;       /* fc_profile */
   int32_t epsilon;       /* FC_OFFSET_EPSILON: epsilon * 2^epsilon_exponent world coordinates; 0..FC_COORDINATE_MAX */
+  const fc_transfer *transfer; /* what the display makes of a level; NULL: levels are proportional to light */
 } fc_options;
 
 /* World to camera: right, up, forward as rows, and where the eye is. Private. */
@@ -55,6 +57,7 @@ typedef struct fc_frame {
   fc_scene scene; /* the scene's own fields, copied: the tables stay where they are */
   void *memory;
   const int64_t *lights; /* in memory: camera-space positions, three a light */
+  const uint8_t *casters; /* in memory: a bit a node of the hierarchy, whether anything below casts shadows; NULL: all do */
   fc_view view;
   fc_options options;
   uint16_t width, height; /* of what is drawn: of FC_PROFILE_HALF its samples */

@@ -62,14 +62,14 @@ int fc_rotation_matrix(fc_matrix *matrix, const fc_rotation *rotation);
 /*
  * Turns points about a pivot: to[i] = pivot + M (from[i] - pivot), rounded to nearest.
  *
- * `from` is read through FC_READ and may live in flash: keep the model at rest there and turn all of it for each frame, so that errors
- * do not add up; `to` may be `from` where that is RAM. `pivot` NULL: the origin (also for normals). FC_ERR_COORDINATE: a point is out of
+ * `from` is a model at rest, read as plain memory (flash too, where that is in the data address space; not through FC_READ): turn all of it for
+ * each frame, so that errors do not add up. `to` may be `from`. `pivot` NULL: the origin (for directions). FC_ERR_COORDINATE: a point is out of
  * range, before or after; nothing is written then. FC_ERR_ROTATION: an entry of the matrix is beyond +-2^30.
  */
 int fc_rotate_points(fc_vec3 *to, const fc_vec3 *from, uint16_t count, const fc_matrix *matrix, const fc_vec3 *pivot);
 
 /*
- * The virtual trackball: a glass ball behind the screen that the mouse rolls (lecture "Sampling, Virtual Trackball, Hidden Surfaces";
+ * The virtual trackball: a glass ball behind the screen that the mouse rolls (lecture "Sampling, Virtual Trackball, Hidden Surfaces", Munzner;
  * Chen, Mountford, Sellen 1988).
  *
  * A mouse position is a place on the screen, counted from the ball's centre: x to the right, y up, in any unit (half pixels, say); the

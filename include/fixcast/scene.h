@@ -46,30 +46,43 @@ typedef struct fc_triangle {
 typedef struct fc_kind fc_kind;
 extern const fc_kind fc_kind_sphere, fc_kind_plane, fc_kind_triangle;
 
+/* A vertex normal, unit length, Q14; and texture coordinates in tiles, Q16. */
+typedef struct fc_normal {
+  int16_t x, y, z;
+} fc_normal;
+typedef struct fc_uv {
+  int32_t u, v; /* -2^30 .. 2^30 */
+} fc_uv;
+
 /* A table of shapes of one kind; triangles share a table of vertices. Use the macros. */
 typedef struct fc_shapes {
   const fc_kind *kind;
   const void *items; /* fc_sphere, fc_plane or fc_triangle, as the kind says */
   const fc_vec3 *vertices;
   uint16_t count, vertex_count;
+  const fc_normal *normals; /* triangles: one a vertex, for fc_layer_smooth; or NULL */
+  const fc_uv *uvs;         /* triangles: one a vertex, for fc_mapping_vertices; or NULL */
   uint8_t cull; /* triangles: 1 when they close up and face outwards, so that back faces need not be drawn; otherwise 0 */
 } fc_shapes;
 
 #define FC_COUNT_OF(table) ((uint16_t)(sizeof(table) / sizeof((table)[0])))
 #define FC_SPHERES(table) \
-  { &fc_kind_sphere, (table), NULL, FC_COUNT_OF(table), 0, 0 }
+  { &fc_kind_sphere, (table), NULL, FC_COUNT_OF(table), 0, NULL, NULL, 0 }
 #define FC_PLANES(table) \
-  { &fc_kind_plane, (table), NULL, FC_COUNT_OF(table), 0, 0 }
+  { &fc_kind_plane, (table), NULL, FC_COUNT_OF(table), 0, NULL, NULL, 0 }
 #define FC_TRIANGLES(vertices, table) \
-  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), 0 }
+  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), NULL, NULL, 0 }
+/* Triangles with attributes a vertex (either may be NULL); `closed` 1 for a closed mesh. */
+#define FC_TRIANGLES_WITH(vertices, normals, uvs, table, closed) \
+  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), (normals), (uvs), (closed) }
 /* Closed meshes: every edge is shared by two triangles, which run along it in opposite directions, counter-clockwise seen from
  * outside, and no triangle passes through another. Rays meet their front faces only: a back face is hidden from any eye that is
  * outside, and costs next to nothing. An eye inside looks out through them. With exact shadows a point is taken to be outside too, so
  * that only faces turned away from a light keep it off: what goes into the mesh has to come out. */
 #define FC_TRIANGLES_CLOSED(vertices, table) \
-  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), 1 }
+  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), NULL, NULL, 1 }
 
-/* A point light. `position` stands for position * 2^exponent in world coordinates (-31..32): a far sun needs a
+/* A point light, or a directional one. `position` stands for position * 2^exponent in world coordinates (-31..32): a far sun needs a
  * coarser grid than the scene. `intensity` is Q1.15 times 2^intensity_exponent (-40..40): irradiance of a surface
  * facing the light (no falloff), or the same at a distance of one world unit (inverse square). */
 typedef struct fc_light {
@@ -78,6 +91,8 @@ typedef struct fc_light {
   int8_t exponent;
   int8_t intensity_exponent;
   uint8_t inverse_square; /* 0: intensity does not fall off with distance; 1: Kepler's law */
+  uint8_t directional;    /* 1: `position` is a direction, towards the light, of any length but 0; exponent and inverse_square are 0. The light
+                             stands 2^60 camera grid units away: over the scene its rays differ from parallel by half a unit */
 } fc_light;
 
 /* Largest number of primitives in a scene: a pixel's primitive is kept in 16 bits, 0xffff meaning none. */
@@ -94,6 +109,7 @@ typedef struct fc_scene {
   int32_t far_limit;   /* surfaces farther along the ray than far_limit * 2^far_exponent world coordinates
                         * are background; 0: no limit; 1..FC_COORDINATE_MAX otherwise */
   fc_rgb ambient, background;
+  const fc_sky *sky;        /* instead of a plain background, or NULL; may live in flash */
   const struct fc_bvh *bvh; /* a bounding volume hierarchy of just these shapes (bvh.h), or NULL */
 } fc_scene;
 

@@ -10,7 +10,8 @@
  * 0..32; FC_ERR_DIRECTION, a ray's direction of zero. Each function links on its own; arguments are in RAM. A hierarchy of a scene does
  * not use them (bvh.h): these are for the program around it, for picking, culling and collisions.
  *
- * Formulas are those of the lecture "Intersection tests" unless a source is named; bits stand at each product in src/core/volume_*.c.
+ * Formulas are those of the lecture "Sampling and Object intersection" (Doggett) unless a source is named; bits stand at each product in
+ * src/core/volume_*.c.
  */
 #ifndef FIXCAST_VOLUME_H
 #define FIXCAST_VOLUME_H

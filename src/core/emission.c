@@ -4,6 +4,7 @@
 
 static FC_COLD int check(const void *data) {
   fc_emission emission;
+  if (data == NULL) return FC_ERR_MATERIAL;
   FC_READ(&emission, data, sizeof emission);
   return emission.exponent < 0 || emission.exponent > 7 ? FC_ERR_MATERIAL : FC_OK;
 }

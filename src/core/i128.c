@@ -25,12 +25,18 @@ FC_COLD void fc_i128_set_product_u64(fc_i128 *r, uint64_t a, uint64_t b) {
   uint32_t a0 = (uint32_t)a, a1 = (uint32_t)(a >> 32), b0 = (uint32_t)b, b1 = (uint32_t)(b >> 32);
   r->hi = 0;
   r->lo = fc_mul32(a0, b0);
-  if ((a1 | b1) != 0) { /* most numbers are short */
-    uint64_t m1 = fc_mul32(a1, b0), m2 = fc_mul32(a0, b1);
-    /* three terms below 2^32 each: no carry out of 64 bits */
-    uint64_t middle = (r->lo >> 32) + (uint32_t)m1 + (uint32_t)m2;
+  if ((a1 | b1) != 0) { /* most numbers are short, or one of two is */
+    uint64_t m = b1 == 0 ? fc_mul32(a1, b0) : fc_mul32(a0, b1);
+    /* up to three terms below 2^32 each: no carry out of 64 bits */
+    uint64_t middle = (r->lo >> 32) + (uint32_t)m;
+    r->hi = m >> 32;
+    if (a1 != 0 && b1 != 0) {
+      m = fc_mul32(a1, b0);
+      middle += (uint32_t)m;
+      r->hi += fc_mul32(a1, b1) + (m >> 32);
+    }
     r->lo = (middle << 32) | (uint32_t)r->lo;
-    r->hi = fc_mul32(a1, b1) + (m1 >> 32) + (m2 >> 32) + (middle >> 32);
+    r->hi += middle >> 32;
   }
 }
 

@@ -45,7 +45,7 @@ typedef struct fc_prepared {
     } sphere;
     struct {
       int64_t normal[3];
-      int64_t side; /* k - normal . origin */
+      fc_i128 side; /* k - normal . origin: origins up to 2^62 */
     } plane;
     struct {
       int64_t edge[3][3];   /* N_i = V_i x V_i+1, vertices relative to the origin */
@@ -111,7 +111,7 @@ struct fc_kind {
   /* Draws a tile of the primitive: depth, visibility, light (scan.h). */
   void (*draw)(fc_scan *scan);
   /* Clears the mask of a planar receiver where the form keeps its light away (planar.h). */
-  void (*shadow)(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form);
+  void (*shadow)(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form);
   /* Whether the form might come between a light and some point of a ball that is seen from outside, and in which pixels;
    * true when in doubt. The window is cut to the frame. */
   bool (*between)(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],

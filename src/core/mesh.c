@@ -30,10 +30,6 @@ uint32_t fc_recip_q63(uint32_t m) {
   return r + rest_high;
 }
 
-#ifdef FC_SHORT_MULTIPLIER
-int64_t fc_product(int32_t a, int32_t b) { return fc_smul32(a, b); }
-#endif
-
 size_t fc_mesh_memory(const fc_shapes *shapes) {
   size_t bytes = sizeof(fc_placed_mesh) + (size_t)shapes->vertex_count * sizeof(fc_placed_vertex) +
                  (size_t)shapes->count * sizeof(uint16_t) + ((size_t)shapes->count + 7) / 8;

@@ -44,7 +44,7 @@ static inline const fc_placed_vertex *fc_mesh_vertices(const fc_placed_mesh *mes
 
 static inline void fc_read_triangle(const fc_shapes *shapes, uint16_t index, fc_triangle *t) {
 #ifdef FC_ROM_FAR
-  FC_READ(t, (const fc_triangle *)shapes->items + index, sizeof *t);
+  FC_READ_ONE(t, (const fc_triangle *)shapes->items + index);
 #else
   /* field by field: a copy of the whole is a call on chips that copy words only */
   const fc_triangle *from = (const fc_triangle *)shapes->items + index;
@@ -69,7 +69,7 @@ static inline const fc_triangle *fc_triangle_at(const fc_shapes *shapes, uint16_
 
 static inline void fc_read_vertex(const fc_shapes *shapes, uint16_t index, fc_vec3 *v) {
 #ifdef FC_ROM_FAR
-  FC_READ(v, shapes->vertices + index, sizeof *v);
+  FC_READ_ONE(v, shapes->vertices + index);
 #else
   *v = shapes->vertices[index];
 #endif
@@ -93,13 +93,6 @@ static inline uint8_t fc_seen_exponent(uint32_t seen) { return (uint8_t)(seen & 
 
 /* 2^63 / m for m in 2^31 .. 2^32-1, relative error below 2^-28.5, at most 2^32 - 1. */
 uint32_t fc_recip_q63(uint32_t m);
-
-/* a b. Where it takes four short products, a function: in line they want more registers than there are. */
-#ifdef FC_SHORT_MULTIPLIER
-int64_t fc_product(int32_t a, int32_t b);
-#else
-static inline int64_t fc_product(int32_t a, int32_t b) { return (int64_t)a * b; }
-#endif
 
 size_t fc_mesh_memory(const fc_shapes *shapes);
 

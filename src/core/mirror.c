@@ -1,11 +1,14 @@
 /* The layer of perfect mirrors: a path of rays, one after the other. */
 #include "fixcast/error.h"
+#include "fixcast/reflect.h"
 #include "layer.h"
+#include "search.h"
 #include "space.h"
 #include "view.h"
 
 static FC_COLD int check(const void *data) {
   fc_mirror mirror;
+  if (data == NULL) return FC_ERR_MATERIAL;
   FC_READ(&mirror, data, sizeof mirror);
   if (mirror.bounces < 1 || mirror.bounces > FC_BOUNCES_MAX) return FC_ERR_MATERIAL;
   return mirror.reflectance.r > FC_ONE_Q15 || mirror.reflectance.g > FC_ONE_Q15 || mirror.reflectance.b > FC_ONE_Q15
@@ -13,21 +16,109 @@ static FC_COLD int check(const void *data) {
              : FC_OK;
 }
 
-/* d (n.n) - 2 n (n.d), as long as 30 bits allow. */
+static FC_COLD fc_vec3 vec3_of(const int64_t v[3]) {
+  fc_vec3 r;
+  r.x = (int32_t)v[0];
+  r.y = (int32_t)v[1];
+  r.z = (int32_t)v[2];
+  return r;
+}
+
+/* Vectors of up to 30 bits; a zero normal, which no shape has, sends the ray on. */
 static FC_COLD void reflect(const int64_t d[3], const int64_t n[3], int64_t to[3]) {
-  /* 30 bits each: n.n below 2^62, 2 n.d too; products below 2^92 and their differences below 2^93 */
-  const int64_t square = fc_dot(n, n), along = 2 * fc_dot(n, d);
-  fc_i128 r[3];
-  uint8_t i, bits = 0;
+  fc_vec3 direction = vec3_of(d), normal = vec3_of(n);
+  (void)fc_reflect(&direction, &direction, &normal);
+  to[0] = direction.x;
+  to[1] = direction.y;
+  to[2] = direction.z;
+}
+
+/* A mirrored ray. Planes are met beyond the 30 bits within which the other forms hold, so it may start far out there: those are met from where
+ * it enters the cube that holds all of them. */
+typedef struct mirrored {
+  int64_t origin[3], direction[3];
+  int64_t near[3]; /* in the cube: the origin, or a point of the ray, rounded */
+  fc_num ahead;    /* near's ray parameter */
+  bool far;        /* the origin is not in the cube */
+  bool misses;     /* and the ray never is */
+  uint16_t found;  /* 0xffff: nothing yet */
+  bool found_near; /* and met from near */
+  fc_num t;        /* where it is, from the origin */
+} mirrored;
+
+static FC_COLD void bring_near(mirrored *ray) {
+  const int64_t cube = INT64_C(1) << 30;
+  uint8_t i;
+  ray->far = ray->misses = false;
+  fc_num_set(&ray->ahead, 0, 0);
   for (i = 0; i < 3; i++) {
-    fc_i128 part = fc_i128_mul(n[i], along);
-    uint8_t length;
-    r[i] = fc_i128_mul(d[i], square);
-    fc_i128_minus(&r[i], &part);
-    length = (uint8_t)fc_i128_bits(r[i]);
-    if (length > bits) bits = length;
+    const uint64_t out = fc_abs64(ray->origin[i]);
+    fc_num t;
+    ray->near[i] = ray->origin[i];
+    if (out <= (uint64_t)cube) continue;
+    ray->far = true;
+    if (fc_sign64(ray->origin[i]) * fc_sign64(ray->direction[i]) >= 0) {
+      ray->misses = true;
+    } else {
+      fc_num_set(&t, out - (uint64_t)cube, 0);
+      fc_num_over_u64(&t, fc_abs64(ray->direction[i]));
+      if (fc_num_order_of(&t, &ray->ahead) > 0) ray->ahead = t;
+    }
   }
-  for (i = 0; i < 3; i++) to[i] = fc_i128_to_i64(bits > 29 ? fc_i128_round_shift(r[i], (uint8_t)(bits - 29)) : r[i]);
+  if (!ray->far || ray->misses) return;
+  (void)fc_point_at(ray->ahead, ray->origin, ray->direction, ray->near);
+  for (i = 0; i < 3; i++) {
+    if (fc_abs64(ray->near[i]) > (uint64_t)cube + 2) ray->misses = true;
+    if (ray->near[i] > cube) ray->near[i] = cube;
+    if (ray->near[i] < -cube) ray->near[i] = -cube;
+  }
+}
+
+static FC_COLD bool visit(void *context, const fc_cursor *at, uint16_t index) {
+  mirrored *ray = context;
+  const bool from_near = ray->far && fc_kind_of(at)->bounds != NULL;
+  fc_form form;
+  fc_root root;
+  fc_num t;
+  if (from_near && ray->misses) return false;
+  fc_kind_of(at)->fetch(&at->group, index, &form);
+  if (fc_form_meet(fc_kind_of(at), &form, from_near ? ray->near : ray->origin, ray->direction, &root) == 0) return false;
+  t = fc_root_value(&root);
+  if (from_near) fc_num_plus(&t, &ray->ahead);
+  if (ray->found == FC_PRIMITIVES_MAX || fc_num_order_of(&t, &ray->t) < 0) {
+    ray->found = (uint16_t)(at->group.first + index);
+    ray->found_near = from_near;
+    ray->t = t;
+  }
+  return false;
+}
+
+static FC_COLD bool too_far(const fc_frame *frame, const mirrored *ray) {
+  fc_num limit, distance = fc_length(ray->direction);
+  if (frame->scene.far_limit == 0) return false;
+  fc_num_set(&limit, (uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame));
+  fc_num_times(&distance, &ray->t);
+  return fc_num_order_of(&distance, &limit) > 0;
+}
+
+/* The surface that the ray meets first, completed, its point within a unit; false for none within the far limit. */
+static FC_COLD bool meet(const fc_frame *frame, const fc_space *space, mirrored *ray, fc_surface *surface) {
+  const int64_t *from;
+  fc_reach reach;
+  bring_near(ray);
+  reach.from = ray->near;
+  reach.to = ray->direction;
+  reach.corners = 0;
+  reach.radius = 0;
+  reach.limited = false;
+  ray->found = FC_PRIMITIVES_MAX;
+  (void)fc_space_search(space, &reach, visit, ray);
+  if (ray->found == FC_PRIMITIVES_MAX || too_far(frame, ray)) return false;
+  from = ray->found_near ? ray->near : ray->origin;
+  if (!fc_surface_meet(surface, space, ray->found, from, ray->direction)) return false;
+  fc_surface_complete(surface);
+  fc_surface_round(surface); /* the next ray starts there */
+  return true;
 }
 
 static FC_COLD void follow(fc_shading *first, const void *data) {
@@ -35,7 +126,8 @@ static FC_COLD void follow(fc_shading *first, const void *data) {
   fc_mirror mirror;
   fc_surface surface = *first->surface;
   fc_shading shading;
-  int64_t origin[3], direction[3], normal[3];
+  mirrored ray;
+  int64_t normal[3], from[3];
   uint16_t weight[3];
   uint8_t bounce, bounces, i;
   FC_READ(&mirror, data, sizeof mirror);
@@ -43,27 +135,19 @@ static FC_COLD void follow(fc_shading *first, const void *data) {
   fc_channels(&mirror.reflectance, weight);
   for (i = 0; i < 3; i++) {
     normal[i] = first->normal[i];
-    direction[i] = surface.direction[i];
+    from[i] = surface.direction[i];
   }
   for (bounce = 1;; bounce++) {
     uint64_t radiance_q39[3];
     uint32_t lit;
-    uint16_t nearest, reflectance[3];
-    int64_t from[3];
-    for (i = 0; i < 3; i++) from[i] = direction[i];
-    reflect(from, normal, direction);
-    fc_surface_offset(&surface, FC_OFFSET_RESIDUAL, 0, origin);
-    nearest = fc_space_nearest(first->space, origin, direction, 0, UINT64_MAX, NULL);
-    if (nearest == FC_PRIMITIVES_MAX || !fc_surface_meet(&surface, first->space, nearest, origin, direction) ||
-        fc_too_far(frame, &surface.root, direction)) {
-      fc_shade_background(frame, radiance_q39);
+    uint16_t reflectance[3];
+    reflect(from, normal, ray.direction);
+    fc_surface_offset(&surface, FC_OFFSET_RESIDUAL, 0, ray.origin);
+    if (!meet(frame, first->space, &ray, &surface)) {
+      fc_shade_background(frame, ray.direction, radiance_q39);
       fc_radiance_add(first->added, weight, radiance_q39);
       return;
     }
-    fc_surface_complete(&surface);
-    /* rounded to a unit, for the next ray starts there */
-    if (fc_point_at(fc_root_value(&surface.root), origin, direction, surface.point)) surface.point_error = 1;
-    fc_kind_of(&surface.at)->normal(&surface.form, surface.point, surface.normal);
     fc_shading_light(&shading, frame, first->space, &surface, &lit);
     fc_shading_radiance(&shading, radiance_q39);
     fc_radiance_add(first->added, weight, radiance_q39);
@@ -74,6 +158,7 @@ static FC_COLD void follow(fc_shading *first, const void *data) {
     for (i = 0; i < 3; i++) {
       weight[i] = (uint16_t)(((uint32_t)weight[i] * reflectance[i] + (1u << 14)) >> 15); /* at most 2^15 each */
       normal[i] = shading.normal[i];
+      from[i] = ray.direction[i];
     }
   }
 }

@@ -5,18 +5,20 @@
 
 static FC_COLD int check(const void *data) {
   fc_phong phong;
+  if (data == NULL) return FC_ERR_MATERIAL;
   FC_READ(&phong, data, sizeof phong);
-  return phong.shininess_q4 == 0 ? FC_ERR_MATERIAL : FC_OK;
+  return phong.shininess_q8 == 0 || phong.shininess_q8 > UINT32_C(1) << 24 ? FC_ERR_MATERIAL : FC_OK;
 }
 
-/* base^(exponent / 16), base up to 1: squares for the whole part, roots for the rest. */
-static FC_COLD fc_quick power(fc_quick base, uint16_t exponent_q4) {
+/* base^(exponent / 256), base up to 1: squares for the whole part, roots for the rest. */
+static FC_COLD fc_quick power(fc_quick base, uint32_t exponent_q8) {
   fc_quick result = fc_quick_from(1, 0), root = base;
-  uint16_t whole = (uint16_t)(exponent_q4 >> 4);
+  uint32_t whole = exponent_q8 >> 8;
   uint8_t bit;
-  for (bit = 8; bit != 0; bit >>= 1) {
+  for (bit = 128; bit != 0; bit >>= 1) {
+    if ((exponent_q8 & (2u * bit - 1u)) == 0) break;
     root = fc_quick_mul(root, fc_quick_rsqrt(root)); /* base > 0 */
-    if (exponent_q4 & bit) result = fc_quick_mul(result, root);
+    if (exponent_q8 & bit) result = fc_quick_mul(result, root);
   }
   for (;;) {
     if (whole & 1) result = fc_quick_mul(result, base);
@@ -48,7 +50,7 @@ static FC_COLD void light(fc_shading *shading, const void *data) {
   cosine_q30 = fc_floor_shift64((int64_t)nl * nv, 29) - lv;
   if (cosine_q30 <= 0) return;
   if (cosine_q30 > INT64_C(1) << 30) cosine_q30 = INT64_C(1) << 30;
-  value = fc_quick_mul(power(fc_quick_from((uint64_t)cosine_q30, -30), phong.shininess_q4), shading->light.strength);
+  value = fc_quick_mul(power(fc_quick_from((uint64_t)cosine_q30, -30), phong.shininess_q8), shading->light.strength);
   value.e += 24;
   q24 = value.e > 0 ? UINT32_MAX : fc_quick_to_u64(value);
   fc_channels(&phong.specular, specular);

@@ -18,9 +18,33 @@ FC_COLD void fc_pixel_most(uint8_t format, uint8_t most[3]) {
   most[1] = format == FC_RGB888 ? 255 : 63;
 }
 
-FC_COLD uint8_t fc_pixel_level(uint16_t reflectance_q15, uint8_t most, uint32_t light_q24) {
-  /* 16 + 32 + 8 bits */
-  uint64_t level = ((uint64_t)reflectance_q15 * light_q24 * most + (UINT64_C(1) << 38)) >> 39;
+FC_COLD uint8_t fc_pixel_transfer(const fc_transfer *transfer_rom, uint32_t value, uint8_t scale, uint8_t most) {
+  fc_transfer transfer;
+  const uint32_t *table;
+  uint8_t low = 0, high = most; /* the level is in low .. high */
+  FC_READ_ONE(&transfer, transfer_rom);
+  table = most == 31 ? transfer.level31 : most == 63 ? transfer.level63 : transfer.level255;
+  while (low < high) {
+    const uint8_t middle = (uint8_t)(low + (high - low + 1) / 2);
+    uint32_t threshold;
+    FC_READ_ONE(&threshold, table + middle - 1);
+    /* 24 + 8 bits */
+    if ((threshold * scale + 1) / 2 <= value)
+      low = middle;
+    else
+      high = (uint8_t)(middle - 1);
+  }
+  return low;
+}
+
+FC_COLD uint8_t fc_pixel_level(const fc_transfer *transfer, uint64_t value_q39, uint8_t most) {
+  uint64_t level;
+  if (transfer != NULL) {
+    const uint64_t value_q24 = value_q39 >> 15; /* floored: thresholds are whole */
+    return fc_pixel_transfer(transfer, value_q24 > INT32_MAX ? (uint32_t)INT32_MAX : (uint32_t)value_q24, 2, most);
+  }
+  /* 48 + 8 bits */
+  level = (value_q39 * most + (UINT64_C(1) << 38)) >> 39;
   return level > most ? most : (uint8_t)level;
 }
 
@@ -35,14 +59,4 @@ void fc_pixel_put(uint8_t format, const uint8_t level[3], uint8_t *to) {
   packed = (uint16_t)((uint16_t)(level[0] << 11) | (uint16_t)(level[1] << 5) | level[2]);
   to[format == FC_RGB565_BE ? 0 : 1] = (uint8_t)(packed >> 8);
   to[format == FC_RGB565_BE ? 1 : 0] = (uint8_t)(packed & 0xff);
-}
-
-FC_COLD void fc_pixel_background(const fc_scene *scene, uint8_t format, uint8_t *to) {
-  const uint32_t full_q24 = UINT32_C(1) << 24;
-  uint8_t most[3], level[3];
-  fc_pixel_most(format, most);
-  level[0] = fc_pixel_level(scene->background.r, most[0], full_q24);
-  level[1] = fc_pixel_level(scene->background.g, most[1], full_q24);
-  level[2] = fc_pixel_level(scene->background.b, most[2], full_q24);
-  fc_pixel_put(format, level, to);
 }

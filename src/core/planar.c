@@ -158,7 +158,7 @@ FC_COLD void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *oc
 
 typedef struct caster {
   fc_scan *scan;
-  const fc_planar *planar;
+  fc_planar *planar;
 } caster;
 
 static FC_COLD bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
@@ -232,9 +232,10 @@ static FC_COLD uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, i
 }
 
 /* Hands those who may stand between the light and the hull to cast_one. */
-static FC_COLD void cast_from(fc_scan *scan, const fc_planar *planar, const int64_t *hull, uint8_t corners, int64_t radius) {
+static FC_COLD void cast_from(fc_scan *scan, fc_planar *planar, const int64_t *hull, uint8_t corners, int64_t radius) {
   fc_space space = fc_space_of_frame(scan->frame);
   caster c;
+  space.entered = scan->frame->casters;
   fc_reach reach;
   c.scan = scan;
   c.planar = planar;
@@ -246,7 +247,7 @@ static FC_COLD void cast_from(fc_scan *scan, const fc_planar *planar, const int6
   (void)fc_space_search(&space, corners > 0 ? &reach : NULL, cast_one, &c);
 }
 
-static FC_COLD void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
+static FC_COLD void cast_from_tile(fc_scan *scan, fc_planar *planar) {
   int64_t points[6 * FC_SCAN_ROWS];
   cast_from(scan, planar, points, find_hull(scan, planar, points), 1); /* corners are rounded */
 }
@@ -256,7 +257,7 @@ static FC_COLD void cast_from_tile(fc_scan *scan, const fc_planar *planar) {
  * is cut, k is off by `slack` <= 2^33 and n.D by 3 * 2^30: with both at least 2^50, points move by less than 2^-16 of themselves. False when
  * that does not hold.
  */
-static FC_COLD bool cast_from_part(fc_scan *scan, const fc_planar *planar) {
+static FC_COLD bool cast_from_part(fc_scan *scan, fc_planar *planar) {
   int64_t points[12], radius = 1;
   uint8_t i, bits = 0;
   if (planar->slack != 0 && planar->k >> 50 == 0) return false;
@@ -289,7 +290,7 @@ static FC_COLD uint32_t per_step(uint16_t n) {
   return q;
 }
 
-static FC_COLD void set_corners(fc_planar *planar) {
+FC_COLD void fc_planar_find_corners(fc_planar *planar) {
   const uint16_t columns = (uint16_t)(planar->right - planar->left), rows = (uint16_t)(planar->bottom - planar->top);
   uint8_t i, j;
   for (j = 0; j < 3; j++) {
@@ -298,15 +299,20 @@ static FC_COLD void set_corners(fc_planar *planar) {
     for (i = 0; i < 4; i++)
       planar->corner[i][j] = (int16_t)fc_floor_shift32(w + (i & 1 ? right : 0) + (i & 2 ? down : 0) + 0x8000, 16);
   }
-  planar->per_column = per_step(columns);
-  planar->per_row = per_step(rows);
+  planar->corners_known = true;
+}
+
+FC_COLD void fc_planar_find_steps(fc_planar *planar) {
+  planar->per_column = per_step((uint16_t)(planar->right - planar->left));
+  planar->per_row = per_step((uint16_t)(planar->bottom - planar->top));
+  planar->steps_known = true;
 }
 
 /* Candidates for occluders, each asked to darken what it can. */
 static void cast_shadows(fc_scan *scan, fc_planar *planar, const int64_t *hull, uint8_t corners) {
   const bool sieve = scan->frame->scene.bvh != NULL;
   if (!find_rectangle(scan, planar)) return;
-  set_corners(planar);
+  planar->corners_known = planar->edges_known = planar->steps_known = false;
   if (corners == 0 && sieve)
     cast_from_tile(scan, planar);
   else if (!sieve || scan->columns * scan->rows < SMALL_TILE || !cast_from_part(scan, planar))
@@ -365,7 +371,7 @@ static FC_NOINLINE void start_row(const square_form *s, const cosine *g, uint16_
 
 /* The cosine in Q16 where W.W / 2^30 is q and the numerator is g. */
 static inline uint32_t cosine_of(uint32_t q, int32_t g) {
-  uint8_t down = 14;
+  uint32_t down = 14;
   uint32_t c;
   if (g <= 0 || q < 16) return 0;
   while (q < UINT32_C(1) << 30) {
@@ -409,7 +415,7 @@ static inline chord_ends levels_at(const fc_tint *tint, uint32_t c) {
 }
 
 static inline void put_levels(uint32_t rb, uint32_t g, uint8_t *to) {
-  uint32_t packed = ((rb >> 27 << 6 | g >> FC_TINT_BITS) << 5) | rb << 16 >> 27;
+  uint32_t packed = ((rb >> 27 << 6 | g >> FC_TINT_BITS) << 5) | (rb & 0xffffu) >> 11;
   to[0] = (uint8_t)(packed >> 8);
   to[1] = (uint8_t)packed;
 }
@@ -434,11 +440,14 @@ static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restri
     d_rb = ((uint32_t)fc_floor_shift32((int32_t)(end.rb >> 16) - (int32_t)(rb >> 16), s) << 16) +
            (uint32_t)fc_floor_shift32((int32_t)(end.rb & 0xffffu) - (int32_t)(rb & 0xffffu), s);
     if (some == chunk) {
-      do {
+      do { /* two at a time: a chord has an even number */
         put_levels(rb, g, at);
-        at += 2;
         rb += d_rb;
         g += d_g;
+        put_levels(rb, g, at + 2);
+        rb += d_rb;
+        g += d_g;
+        at += 4;
       } while (at != to);
     } else {
       for (; some != 0; some >>= 1, at += 2) {

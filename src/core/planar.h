@@ -15,6 +15,14 @@
 #include "i128.h"
 #include "scan.h"
 
+/* The plane through the light and two corners of a tile, to which W's two other corners lie on one side. */
+typedef struct fc_planar_edge {
+  int16_t normal[3];      /* 15 bits */
+  int8_t side;            /* of the other corners: 1, -1; 0: not for certain, and the rest is not set */
+  uint16_t error;         /* of an axis of the normal: below 2^10 */
+  uint32_t sum, greatest; /* of the normal's axes */
+} fc_planar_edge;
+
 struct fc_planar {
   int64_t normal[3]; /* towards the far side, seen from the eye; below 2^30 */
   int32_t unit[3];   /* the same, Q30, within 2^-25 */
@@ -25,9 +33,16 @@ struct fc_planar {
   fc_i128 exact_k;
   fc_sheaf w;        /* from the light to the points of the tile */
   uint16_t left, right, top, bottom; /* the rectangle that the tile's mask shows */
-  int16_t corner[4][3]; /* round(W / 2^16) at its corners */
-  uint32_t per_column, per_row; /* 2^32 / steps between them, below by less than 2 */
+  /* what glances at an occluder need, found when the first does */
+  int16_t corner[4][3];         /* round(W / 2^16) at its corners */
+  fc_planar_edge edge[2];       /* upper and lower (scan_sphere.c) */
+  uint32_t per_column, per_row; /* 2^32 / steps between corners, below by less than 2 */
+  bool corners_known, edges_known, steps_known;
 };
+
+/* Find `corner`; `per_column` and `per_row`. */
+void fc_planar_find_corners(fc_planar *planar);
+void fc_planar_find_steps(fc_planar *planar);
 
 /* Shades the masked pixels of a tile on the plane n.p = k: facing, shadows, cosines. |n| below 2^63. They lie within the hull
  * of `corners` points of the plane, three coordinates each; 0: anywhere, for |n| below 2^30 only. */

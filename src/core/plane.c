@@ -6,7 +6,7 @@
 #include "view.h"
 
 static FC_COLD void read_item(const fc_shapes *shapes, uint16_t index, fc_plane *plane) {
-  FC_READ(plane, (const fc_plane *)shapes->items + index, sizeof *plane);
+  FC_READ_ONE(plane, (const fc_plane *)shapes->items + index);
 }
 
 static FC_COLD int check(const fc_scene *scene, const fc_shapes *shapes) {
@@ -110,21 +110,21 @@ static FC_COLD void fetch(const fc_group *group, uint16_t index, fc_form *form) 
 }
 
 static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
-  /* 62 bits and 30 + 30 + 2: below 2^63 */
+  /* k 62 bits, the product 30 + 62 + 2: below 2^95 */
   const int64_t *n = form->u.plane.normal;
+  fc_i128 along = fc_i128_dot(n, origin);
   prepared->u.plane.normal[0] = n[0];
   prepared->u.plane.normal[1] = n[1];
   prepared->u.plane.normal[2] = n[2];
-  prepared->u.plane.side = form->u.plane.k - fc_dot(n, origin);
+  prepared->u.plane.side = fc_i128_from(form->u.plane.k);
+  fc_i128_minus(&prepared->u.plane.side, &along);
 }
 
 static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root *root) {
-  /* t = side / (normal . direction): 30 + 30 + 2 bits */
-  const int64_t *n = prepared->u.plane.normal;
-  int64_t side = prepared->u.plane.side;
-  int64_t along = fc_dot(n, direction);
-  if (fc_sign64(side) * fc_sign64(along) <= 0) return 0;
-  root->p = fc_i128_from_u64(fc_abs64(side));
+  /* t = side / (normal . direction): 30 + 30 + 2 bits below */
+  int64_t along = fc_dot(prepared->u.plane.normal, direction);
+  if (fc_i128_sign(prepared->u.plane.side) * fc_sign64(along) <= 0) return 0;
+  root->p = fc_i128_abs(prepared->u.plane.side);
   root->m = fc_i128_from_u64(fc_abs64(along));
   root->d = root->c = fc_i128_from(0);
   root->q = 0;

@@ -101,7 +101,7 @@ static int draw_field(const fc_frame *frame, uint8_t field, uint16_t y, uint16_t
   if (field > 1) return FC_ERR_PROFILE;
   for (row = first; row < rows; row = (uint16_t)(row + 2)) {
     const fc_target one = row_of(frame, target, row);
-    fc_strip_clear(frame, 1, &one);
+    fc_strip_clear(frame, (uint16_t)(y + row), 1, &one);
   }
   fc_strip_draw(frame, y, rows, target, field ^ 1);
   for (row = first; row < rows; row = (uint16_t)(row + 2)) {

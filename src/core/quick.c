@@ -34,9 +34,17 @@ const uint16_t fc_recip_table[128] FC_ROM = {
     35470, 35320, 35172, 35026, 34880, 34735, 34592, 34450, 34309, 34169, 34031, 33893,
     33757, 33622, 33487, 33354, 33222, 33091, 32961, 32832};
 
+#ifdef FC_SHORT_MULTIPLIER
+int64_t fc_product(int32_t a, int32_t b) { return fc_smul32(a, b); }
+#endif
+
 FC_COLD uint64_t fc_packed_from(uint64_t v, int32_t e) {
   uint8_t s;
-  if (v == 0) return 0;
+  if (v >> 32 == 0) { /* mostly */
+    if (v == 0) return 0;
+    s = fc_clz32((uint32_t)v);
+    return fc_quick_pack((uint32_t)v << s, e - s);
+  }
   s = fc_clz64(v);
   return fc_quick_pack((uint32_t)(v << s >> 32), e + 32 - s);
 }

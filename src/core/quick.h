@@ -43,6 +43,13 @@ static inline int64_t fc_smul32(int32_t a, int32_t b) {
 #endif
 }
 
+/* The same. Where it takes four short products, a function: in line they want more registers than there are. */
+#ifdef FC_SHORT_MULTIPLIER
+int64_t fc_product(int32_t a, int32_t b);
+#else
+static inline int64_t fc_product(int32_t a, int32_t b) { return (int64_t)a * b; }
+#endif
+
 /* floor(a b / 2^32). */
 static inline uint32_t fc_mulhi32(uint32_t a, uint32_t b) {
 #ifdef FC_SHORT_MULTIPLIER
@@ -87,7 +94,7 @@ extern const uint16_t fc_rsqrt_table[192], fc_recip_table[128];
 
 FC_INLINE uint16_t fc_read_table(const uint16_t *entry) {
   uint16_t v;
-  FC_READ(&v, entry, sizeof v);
+  FC_READ_ONE(&v, entry);
   return v;
 }
 

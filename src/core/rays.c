@@ -1,18 +1,13 @@
 /* Strips and picks by the ray engine: a ray a pixel against every primitive. The definition of every picture. */
-#include <string.h>
-
 #include "depth.h"
 #include "fixcast/error.h"
 #include "fixcast/render.h"
-#include "pixel.h"
 #include "scan.h"
 #include "shade.h"
 #include "space.h"
 #include "view.h"
 
 #define NO_PRIMITIVE UINT16_C(0xffff)
-
-static const int64_t eye[3] = {0, 0, 0}; /* camera space */
 
 /* Shades one pixel; returns its primitive. */
 static uint16_t resolve(const fc_frame *frame, const fc_space *space, uint16_t px, uint16_t py, uint64_t radiance_q39[3],
@@ -21,12 +16,14 @@ static uint16_t resolve(const fc_frame *frame, const fc_space *space, uint16_t p
   fc_surface surface;
   uint16_t nearest;
   fc_view_direction(frame, px, py, d);
-  nearest = fc_space_nearest(space, eye, d, 0, UINT64_MAX, NULL);
+  nearest = fc_space_nearest(space, fc_eye, d, 0, UINT64_MAX, NULL);
   *lit = 0;
   *depth = 0;
-  if (nearest == NO_PRIMITIVE || !fc_surface_meet(&surface, space, nearest, eye, d) ||
-      fc_too_far(frame, &surface.root, d))
+  if (nearest == NO_PRIMITIVE || !fc_surface_meet(&surface, space, nearest, fc_eye, d) ||
+      fc_too_far(frame, &surface.root, d)) {
+    fc_shade_background(frame, d, radiance_q39);
     return NO_PRIMITIVE;
+  }
   *depth = fc_depth_code(frame, &surface.root);
   fc_surface_complete(&surface);
   fc_shade(frame, space, &surface, radiance_q39, lit);
@@ -36,11 +33,9 @@ static uint16_t resolve(const fc_frame *frame, const fc_space *space, uint16_t p
 FC_COLD int fc_render_rows_by_rays(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
   fc_space space;
   uint16_t px, py;
-  uint8_t background[4];
   int pixel_bytes = fc_render_check(frame, y, rows, target);
   if (pixel_bytes < 0) return pixel_bytes;
   space = fc_space_of_frame(frame);
-  fc_pixel_background(&frame->scene, target->format, background);
   for (py = 0; py < rows; py++) {
     uint8_t *to = (uint8_t *)target->pixels + (size_t)py * target->pitch_bytes;
     for (px = 0; px < frame->width; px++, to += pixel_bytes) {
@@ -48,10 +43,7 @@ FC_COLD int fc_render_rows_by_rays(const fc_frame *frame, uint16_t y, uint16_t r
       uint64_t radiance_q39[3];
       uint32_t lit;
       uint16_t primitive = resolve(frame, &space, px, (uint16_t)(y + py), radiance_q39, &target->depth[at], &lit);
-      if (primitive != NO_PRIMITIVE)
-        fc_shade_put(frame, radiance_q39, target->format, to);
-      else
-        memcpy(to, background, (size_t)pixel_bytes);
+      fc_shade_put(frame, radiance_q39, target->format, to);
       if (target->primitive != NULL) target->primitive[at] = primitive;
       if (target->lit != NULL) target->lit[at] = lit;
     }
@@ -92,9 +84,9 @@ FC_COLD int fc_pick(const fc_frame *frame, uint16_t x, uint16_t y, fc_hit *hit, 
   }
   space = fc_space_of_frame(frame);
   fc_view_direction(frame, x, y, d);
-  nearest = fc_space_nearest(&space, eye, d, 0, UINT64_MAX, NULL);
+  nearest = fc_space_nearest(&space, fc_eye, d, 0, UINT64_MAX, NULL);
   if (lit != NULL) *lit = 0;
-  if (nearest == NO_PRIMITIVE || !fc_surface_meet(&surface, &space, nearest, eye, d) ||
+  if (nearest == NO_PRIMITIVE || !fc_surface_meet(&surface, &space, nearest, fc_eye, d) ||
       fc_too_far(frame, &surface.root, d))
     return 0;
   fc_surface_complete(&surface);

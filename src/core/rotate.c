@@ -3,7 +3,6 @@
 #include <stddef.h>
 
 #include "bits.h"
-#include "fixcast/config.h"
 #include "fixcast/rotation.h"
 #include "unit.h"
 
@@ -59,7 +58,7 @@ static FC_COLD bool turn(fc_vec3 *to, const fc_vec3 *from, const fc_matrix *m, c
 }
 
 FC_COLD int fc_rotate_points(fc_vec3 *to, const fc_vec3 *from, uint16_t count, const fc_matrix *matrix, const fc_vec3 *pivot) {
-  fc_vec3 centre = {0, 0, 0}, point, turned;
+  fc_vec3 centre = {0, 0, 0}, turned;
   uint16_t i;
   uint8_t k;
   if (matrix == NULL || (count > 0 && (to == NULL || from == NULL))) return FC_ERR_NULL;
@@ -67,13 +66,8 @@ FC_COLD int fc_rotate_points(fc_vec3 *to, const fc_vec3 *from, uint16_t count, c
   if (!in_range(centre.x) || !in_range(centre.y) || !in_range(centre.z)) return FC_ERR_COORDINATE;
   for (k = 0; k < 9; k++)
     if (fc_abs32(matrix->row[k / 3][k % 3]) > UINT32_C(1) << 30) return FC_ERR_ROTATION;
-  for (i = 0; i < count; i++) { /* look first, write then */
-    FC_READ(&point, from + i, sizeof point);
-    if (!turn(&turned, &point, matrix, &centre)) return FC_ERR_COORDINATE;
-  }
-  for (i = 0; i < count; i++) {
-    FC_READ(&point, from + i, sizeof point);
-    (void)turn(to + i, &point, matrix, &centre);
-  }
+  for (i = 0; i < count; i++) /* look first, write then */
+    if (!turn(&turned, from + i, matrix, &centre)) return FC_ERR_COORDINATE;
+  for (i = 0; i < count; i++) (void)turn(to + i, from + i, matrix, &centre);
   return FC_OK;
 }

@@ -43,8 +43,12 @@ FC_COLD void fc_sample_trace(const fc_sampler *sampler, const int32_t place_q16[
       fc_shade(frame, &sampler->space, &surface, seen->radiance_q39, &seen->lit);
       return;
     }
+  } else {
+    /* outside a lens's picture: the sky straight ahead */
+    direction[0] = direction[1] = 0;
+    direction[2] = 1;
   }
-  fc_shade_background(frame, seen->radiance_q39);
+  fc_shade_background(frame, direction, seen->radiance_q39);
 }
 
 FC_COLD void fc_sample_put(const fc_sampler *sampler, uint16_t x, uint16_t row, const uint64_t radiance_q39[3], uint16_t count,
@@ -71,12 +75,12 @@ FC_COLD void fc_sample_put(const fc_sampler *sampler, uint16_t x, uint16_t row, 
 static FC_COLD int set_up(fc_sampler *sampler, fc_pattern *pattern, const fc_frame *frame, const fc_sampling *how_rom) {
   fc_sampling *how = &sampler->how;
   if (frame == NULL || how_rom == NULL) return FC_ERR_NULL;
-  FC_READ(how, how_rom, sizeof *how);
+  FC_READ_ONE(how, how_rom);
   if (how->pattern == NULL || how->filter > FC_FILTER_TENT) return FC_ERR_SAMPLING;
-  FC_READ(pattern, how->pattern, sizeof *pattern);
+  FC_READ_ONE(pattern, how->pattern);
   if (!pattern->check(how)) return FC_ERR_SAMPLING;
   if (how->lens.kind == NULL) return FC_ERR_LENS;
-  FC_READ(&sampler->lens, how->lens.kind, sizeof sampler->lens);
+  FC_READ_ONE(&sampler->lens, how->lens.kind);
   sampler->frame = *frame;
   return sampler->lens.prepare(&sampler->state, &sampler->frame, how->lens.data);
 }

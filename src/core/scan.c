@@ -7,6 +7,7 @@
 #include "fixcast/error.h"
 #include "pixel.h"
 #include "shade.h"
+#include "sky.h"
 #include "tally.h"
 
 /* ---- one pixel, by the ray engine ---- */
@@ -152,27 +153,38 @@ static FC_COLD bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t col
 }
 
 /* Up to 32 pixels in one octave and within the far limit, as depth codes with 16 fraction bits, half and open / 2 added;
- * returns those shown: 1 is the first. */
-static FC_HOT uint32_t affine_codes(const fc_scan *scan, uint16_t row, uint16_t column, uint8_t count, uint32_t at,
-                                    uint32_t step, uint32_t open) {
-  uint16_t *const first = fc_scan_depth(scan, row, column), *depth = first;
+ * returns those shown: 1 is the first. What only the ray engine can tell is left in *asked: nothing is called in the loop, which
+ * leaves it all registers. */
+static FC_HOT uint32_t affine_codes(uint16_t *restrict depth, uint8_t count, uint32_t at, uint32_t step, uint32_t open,
+                                    uint32_t *restrict asked) {
   const uint8_t spare = (uint8_t)(32 - count);
   /* the last pixel's is the highest bit, so that the loop ends when the bit is shifted out */
-  uint32_t bits = 0, bit = UINT32_C(1) << spare;
+  uint32_t bits = 0, rare = 0, bit = UINT32_C(1) << spare;
   open <<= 16;
   do {
-    uint32_t code = at >> 16;
-    if (FC_RARELY(at << 16 <= open || code == *depth)) {
-      if (fc_scan_exact(scan, row, (uint16_t)(column + (depth - first)))) bits |= bit;
+    const uint32_t code = at >> 16;
+    if (FC_RARELY(at << 16 <= open)) {
+      rare |= bit;
     } else if (code > *depth) {
       *depth = (uint16_t)code;
       bits |= bit;
+    } else if (FC_RARELY(code == *depth)) {
+      rare |= bit;
     }
     at += step;
     depth++;
     bit <<= 1;
   } while (bit != 0);
+  *asked = rare >> spare;
   return bits >> spare;
+}
+
+/* Those of some pixels that the ray engine finds shown. */
+static FC_COLD uint32_t ask_each(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t pixels) {
+  uint32_t bits = 0, bit = 1;
+  for (; pixels != 0; pixels >>= 1, bit <<= 1, column++)
+    if ((pixels & 1) && fc_scan_exact(scan, row, column)) bits |= bit;
+  return bits;
 }
 
 /* Depth codes of pixels in one octave, with 16 fraction bits, half and open / 2 added, and the step between them. */
@@ -229,14 +241,32 @@ static bool of_kind(const affine_kind *kind, uint64_t at) {
   return p >= kind->low && p <= kind->high;
 }
 
+/* About the last of a kind among less than `end` pixels, bit by bit: steps are floored, so that it may be off by some. */
+static uint16_t last_of_kind(const affine_kind *kind, uint64_t at, int64_t step, uint16_t end) {
+  /* below the span as unsigned numbers: within it */
+  const uint32_t span = (uint32_t)kind->high - (uint32_t)kind->low, from = (uint32_t)(at >> 32) - (uint32_t)kind->low;
+  const uint32_t move = (uint32_t)fc_high_word(step);
+  uint16_t count = 0, part;
+  for (part = 256; part != 0; part >>= 1) {
+    const uint16_t n = (uint16_t)(count + part);
+    if (n < end && from + move * n <= span) count = n;
+  }
+  return count;
+}
+
 /* The row's pixels from `column` on, by words. */
 static void affine_plain(fc_scan *scan, uint16_t row, uint16_t column, uint16_t count, affine_form *form) {
   uint32_t *mask = scan->mask + row * scan->words + (column >> 5);
+  uint16_t *depth = fc_scan_depth(scan, row, column);
   while (count != 0) {
     uint8_t some = (uint8_t)(32 - (column & 31));
+    uint32_t bits, asked;
     if (some > count) some = (uint8_t)count;
-    *mask++ |= affine_codes(scan, row, column, some, form->at, form->step, form->open) << (column & 31);
+    bits = affine_codes(depth, some, form->at, form->step, form->open, &asked);
+    if (asked != 0) bits |= ask_each(scan, row, column, asked);
+    *mask++ |= bits << (column & 31);
     form->at += form->step * some;
+    depth += some;
     column = (uint16_t)(column + some);
     count = (uint16_t)(count - some);
   }
@@ -275,19 +305,11 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
     }
     next = at + fc_times((uint64_t)step, count);
     if (!of_kind(&kind, next)) {
-      /* the last of its kind, bit by bit: steps of up to half the run, whose values fit */
-      const uint16_t whole = count;
-      uint16_t part = 1;
-      int64_t move = step;
-      while (2 * part < whole) {
-        part = (uint16_t)(2 * part);
-        move *= 2;
-      }
-      next = at;
-      for (count = 0; part != 0; part /= 2, move = fc_floor_shift64(move, 1)) {
-        if (count + part >= whole || !of_kind(&kind, next + (uint64_t)move)) continue;
-        count = (uint16_t)(count + part);
-        next += (uint64_t)move;
+      count = last_of_kind(&kind, at, step, count);
+      next = at + fc_times((uint64_t)step, count);
+      while (!of_kind(&kind, next)) { /* ends at 0, which is */
+        count--;
+        next -= (uint64_t)step;
       }
     }
     count++;
@@ -327,8 +349,13 @@ void fc_scan_unlit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t 
 FC_COLD void fc_tint_put_any(const fc_tint *tint, uint32_t cosine, uint8_t *to) {
   uint8_t level[3], i;
   for (i = 0; i < 3; i++) {
-    uint32_t v = fc_tint_level(tint, i, cosine);
-    level[i] = v > tint->most[i] ? tint->most[i] : (uint8_t)v;
+    if (tint->transfer != NULL) {
+      /* 31 bits: 255 levels with FC_TINT_BITS of fraction are light in Q23 times 255 */
+      level[i] = fc_pixel_transfer(tint->transfer, tint->base[i] + tint->slope[i] * cosine, 255, tint->most[i]);
+    } else {
+      uint32_t v = fc_tint_level(tint, i, cosine);
+      level[i] = v > tint->most[i] ? tint->most[i] : (uint8_t)v;
+    }
   }
   fc_pixel_put(tint->format, level, to);
 }
@@ -420,13 +447,9 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
   fc_material material;
   uint16_t diffuse[3], ambient[3];
   uint8_t i, level[3];
-#ifdef FC_ROM_FAR
-  FC_READ(&material, frame->scene.materials + scan->form->material, sizeof material);
-#else
-  material = frame->scene.materials[scan->form->material];
-#endif
-  scan->light = material.layer_count == 0 ? frame->light : FC_LIGHT_MANY;
-  if (scan->light == FC_LIGHT_NONE && flat_tint(frame, tint, &material, scan->target->format)) return;
+  FC_READ_ONE(&material, frame->scene.materials + scan->form->material);
+  scan->light = frame->light;
+  if (frame->light == FC_LIGHT_NONE && flat_tint(frame, tint, &material, scan->target->format)) return;
   diffuse[0] = material.diffuse.r;
   diffuse[1] = material.diffuse.g;
   diffuse[2] = material.diffuse.b;
@@ -435,13 +458,19 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
   ambient[2] = frame->scene.ambient.b;
   tint->clamp = false;
   for (i = 0; i < 3; i++) {
-    uint32_t unlit = levels(diffuse[i], ambient[i], tint->most[i], 0), most = (uint32_t)tint->most[i] << FC_TINT_BITS;
+    const uint8_t top = tint->transfer != NULL ? 255 : tint->most[i];
+    uint32_t unlit = levels(diffuse[i], ambient[i], top, 0), most = (uint32_t)top << FC_TINT_BITS;
     if (unlit > most) unlit = most;
-    tint->base[i] = unlit + (UINT32_C(1) << (FC_TINT_BITS - 1));
-    level[i] = (uint8_t)(tint->base[i] >> FC_TINT_BITS);
+    if (tint->transfer != NULL) {
+      tint->base[i] = unlit;
+      level[i] = fc_pixel_transfer(tint->transfer, unlit, 255, tint->most[i]);
+    } else {
+      tint->base[i] = unlit + (UINT32_C(1) << (FC_TINT_BITS - 1));
+      level[i] = (uint8_t)(tint->base[i] >> FC_TINT_BITS);
+    }
     if (frame->light == FC_LIGHT_ONE) {
       /* the cosine's 16 bits come off the slope; its half lost is 2^-8 level */
-      uint32_t slope = levels(diffuse[i], frame->light_level[i], tint->most[i], 15);
+      uint32_t slope = levels(diffuse[i], frame->light_level[i], top, 15);
       slope = (slope + 1) >> 1;
       if (slope >= UINT32_C(0x8000)) {
         scan->light = FC_LIGHT_MANY; /* too bright for 32 bits */
@@ -451,7 +480,7 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
       if (tint->base[i] + (slope << 16) >= most + (UINT32_C(1) << FC_TINT_BITS)) tint->clamp = true;
     }
   }
-  tint->plain = !tint->clamp && tint->format == FC_RGB565_BE;
+  tint->plain = !tint->clamp && tint->format == FC_RGB565_BE && tint->transfer == NULL;
   fc_pixel_put(scan->target->format, level, tint->unlit);
 }
 
@@ -499,26 +528,35 @@ static FC_HOT void fill_pairs(uint8_t *to, size_t bytes, const uint8_t pattern[4
   }
 }
 
-FC_COLD void fc_strip_clear(const fc_frame *frame, uint16_t rows, const fc_target *target) {
-  static const uint8_t zero[4] = {0, 0, 0, 0}, ones[4] = {0xff, 0xff, 0xff, 0xff};
-  size_t pixels = (size_t)rows * frame->width;
-  uint16_t x, y;
-  uint8_t bytes[4];
+/* Pixels of the background's bytes. */
+static FC_COLD void fill_background(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
   const uint8_t pixel_bytes = target->format == FC_RGB888 ? 3 : 2;
-  fc_pixel_background(&frame->scene, pixel_bytes == 3 ? FC_RGB888 : FC_RGB565_BE, bytes);
-  fill_pairs((uint8_t *)target->depth, 2 * pixels, zero);
-  if (target->primitive != NULL) fill_pairs((uint8_t *)target->primitive, 2 * pixels, ones);
-  if (target->lit != NULL) fill_pairs((uint8_t *)target->lit, 4 * pixels, zero);
+  const uint8_t format = pixel_bytes == 3 ? FC_RGB888 : FC_RGB565_BE; /* as fc_strip_finish wants it */
+  uint64_t radiance_q39[3];
+  uint16_t x, row;
+  uint8_t bytes[4];
+  if (frame->scene.sky != NULL) {
+    fc_target drawn = *target;
+    fc_sky sky;
+    fc_sky_kind kind;
+    FC_READ_ONE(&sky, frame->scene.sky);
+    FC_READ_ONE(&kind, sky.kind);
+    drawn.format = format;
+    kind.fill(frame, &sky, y, rows, &drawn);
+    return;
+  }
+  fc_shade_background(frame, NULL, radiance_q39);
+  fc_shade_put(frame, radiance_q39, format, bytes);
   if (pixel_bytes == 2) {
     bytes[2] = bytes[0];
     bytes[3] = bytes[1];
   }
   if (pixel_bytes == 2 && target->pitch_bytes == 2 * (size_t)frame->width) {
-    fill_pairs((uint8_t *)target->pixels, 2 * pixels, bytes);
+    fill_pairs((uint8_t *)target->pixels, 2 * (size_t)rows * frame->width, bytes);
     return;
   }
-  for (y = 0; y < rows; y++) {
-    uint8_t *to = (uint8_t *)target->pixels + y * target->pitch_bytes;
+  for (row = 0; row < rows; row++) {
+    uint8_t *to = (uint8_t *)target->pixels + row * target->pitch_bytes;
     if (pixel_bytes == 2) {
       fill_pairs(to, 2 * (size_t)frame->width, bytes);
       continue;
@@ -529,6 +567,15 @@ FC_COLD void fc_strip_clear(const fc_frame *frame, uint16_t rows, const fc_targe
       to[2] = bytes[2];
     }
   }
+}
+
+FC_COLD void fc_strip_clear(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+  static const uint8_t zero[4] = {0, 0, 0, 0}, ones[4] = {0xff, 0xff, 0xff, 0xff};
+  size_t pixels = (size_t)rows * frame->width;
+  fill_pairs((uint8_t *)target->depth, 2 * pixels, zero);
+  if (target->primitive != NULL) fill_pairs((uint8_t *)target->primitive, 2 * pixels, ones);
+  if (target->lit != NULL) fill_pairs((uint8_t *)target->lit, 4 * pixels, zero);
+  fill_background(frame, y, rows, target);
 }
 
 FC_COLD int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
@@ -542,20 +589,24 @@ FC_COLD int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, co
   return pixel_bytes;
 }
 
-FC_COLD void fc_scan_each(fc_scan *scan, uint16_t rows) {
+FC_COLD void fc_scan_item(fc_scan *scan, uint16_t index, uint16_t rows) {
   const fc_group *group = &scan->at->group;
   const fc_kind *kind = fc_kind_of(scan->at);
-  for (scan->index = 0; scan->index < group->shapes.count; scan->index++) {
-    fc_form form;
-    fc_window box;
-    if (!kind->window(scan->frame, group, scan->index, &box)) continue;
-    if (box.y1 < (int32_t)scan->strip || box.y0 > (int32_t)scan->strip + rows - 1) continue;
-    kind->fetch(group, scan->index, &form);
-    scan->form = &form;
-    scan->primitive = (uint16_t)(group->first + scan->index);
-    fc_scan_tint(scan);
-    draw(scan, &box, rows);
-  }
+  fc_form form;
+  fc_window box;
+  if (!kind->window(scan->frame, group, index, &box)) return;
+  if (box.y1 < (int32_t)scan->strip || box.y0 > (int32_t)scan->strip + rows - 1) return;
+  kind->fetch(group, index, &form);
+  scan->form = &form;
+  scan->index = index;
+  scan->primitive = (uint16_t)(group->first + index);
+  fc_scan_tint(scan);
+  draw(scan, &box, rows);
+}
+
+FC_COLD void fc_scan_each(fc_scan *scan, uint16_t rows) {
+  uint16_t index;
+  for (index = 0; index < scan->at->group.shapes.count; index++) fc_scan_item(scan, index, rows);
 }
 
 FC_COLD void fc_strip_finish(const fc_frame *frame, uint16_t rows, const fc_target *target) {
@@ -594,7 +645,7 @@ FC_COLD void fc_strip_draw(const fc_frame *frame, uint16_t y, uint16_t rows, con
 FC_COLD int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
   int pixel_bytes = fc_render_check(frame, y, rows, target);
   if (pixel_bytes < 0) return pixel_bytes;
-  fc_strip_clear(frame, rows, target);
+  fc_strip_clear(frame, y, rows, target);
   fc_strip_draw(frame, y, rows, target, FC_SKIP_NONE);
   fc_strip_finish(frame, rows, target);
   return FC_OK;

@@ -36,6 +36,7 @@ typedef struct fc_tint {
   uint8_t format;    /* fc_format */
   bool plain;        /* FC_RGB565_BE, and no clamp */
   uint8_t unlit[4];  /* the pixel's bytes without the light */
+  const fc_transfer *transfer; /* with one, the levels are those of 255, before rounding */
 } fc_tint;
 
 /* A primitive being drawn into a rectangle of the frame, of which the strip holds some rows. Where tiles lie depends on the
@@ -139,7 +140,7 @@ int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_t
 
 /* A strip's parts, after the checks: background everywhere; the rows that aren't of parity `skip`; the other byte order of
  * FC_RGB565_LE, for which the first two write FC_RGB565_BE. */
-void fc_strip_clear(const fc_frame *frame, uint16_t rows, const fc_target *target);
+void fc_strip_clear(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
 void fc_strip_draw(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target, uint8_t skip);
 void fc_strip_finish(const fc_frame *frame, uint16_t rows, const fc_target *target);
 

@@ -22,31 +22,36 @@ typedef struct fc_placed_plane {
 typedef struct fc_placed_sphere {
   int32_t center[3], radius;
   uint32_t factor;    /* near / (c F), c = |center|^2 - radius^2, is factor * 2^exponent */
-  int16_t exponent;
+  int8_t exponent;    /* -123 .. 0: c is below 2^62, F below 2^30, near and c F at least 1 */
   uint8_t seen;       /* FC_SPHERE_... */
-  uint8_t beyond;     /* some of it may lie beyond the far limit */
+  uint16_t order;     /* the table's nearest visible sphere, the second nearest ... FC_SPHERE_LAST: there are no more */
   fc_placed_window window;
 } fc_placed_sphere;
 
-/* Not at all; in front of the eye and outside it, as the fast forms want it; some other way. */
-enum { FC_SPHERE_HIDDEN, FC_SPHERE_PLAIN, FC_SPHERE_ODD };
+/* Not at all; in front of the eye and outside it, as the fast forms want it; the same, but some of it may lie beyond the far limit;
+ * some other way. */
+enum { FC_SPHERE_HIDDEN, FC_SPHERE_PLAIN, FC_SPHERE_CUT, FC_SPHERE_ODD };
+
+#define FC_SPHERE_LAST UINT16_MAX
 
 typedef char fc_placed_is_whole[sizeof(fc_placed_plane) == 40 && sizeof(fc_placed_sphere) == 32 ? 1 : -1];
 
-/* A table's strip, an item after the other. */
+/* Of a strip: an item of the table; all of them, one after the other. */
+void fc_scan_item(fc_scan *scan, uint16_t index, uint16_t rows);
 void fc_scan_each(fc_scan *scan, uint16_t rows);
 
 void fc_plane_draw(fc_scan *scan);
 void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
 bool fc_plane_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box);
-void fc_plane_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form);
+void fc_plane_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form);
 bool fc_plane_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window);
 
+void fc_sphere_strip(fc_scan *scan, uint16_t rows);
 void fc_sphere_draw(fc_scan *scan);
 void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
 bool fc_sphere_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box);
-void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form);
+void fc_sphere_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form);
 bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window);
 
@@ -56,7 +61,7 @@ int8_t fc_plane_hides(const fc_form *form, const int64_t light[3], const int32_t
 void fc_triangle_strip(fc_scan *scan, uint16_t rows);
 void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
 bool fc_triangle_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box);
-void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form);
+void fc_triangle_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form);
 bool fc_triangle_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window);
 

@@ -81,7 +81,7 @@ FC_COLD bool fc_plane_window(const fc_frame *frame, const fc_group *group, uint1
   return true;
 }
 
-FC_COLD void fc_plane_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
+FC_COLD void fc_plane_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   (void)receiver;
   fc_planar_ask(scan, kind, form);
 }

@@ -15,10 +15,31 @@ static FC_COLD void set_window(const fc_frame *frame, const fc_window *box, fc_p
   window->y1 = clamp_pixel(box->y1, frame->height);
 }
 
+/* The least depth of a placed sphere: two 31-bit numbers' difference. */
+static int32_t front_of(const fc_placed_sphere *placed, uint16_t index) { return placed[index].center[2] - placed[index].radius; }
+
+/* Orders the first `count` entries of placed[].order from the eye on: what is drawn later is then mostly hidden, and neither shaded
+ * nor asked about its shadows. Insertion at falling distances (Shell, (3^n - 1) / 2). */
+static FC_COLD void sort_by_depth(fc_placed_sphere *placed, uint16_t count) {
+  static const uint16_t gaps[] FC_ROM = {29524, 9841, 3280, 1093, 364, 121, 40, 13, 4, 1};
+  uint8_t g;
+  for (g = 0; g < FC_COUNT_OF(gaps); g++) {
+    uint16_t i, j, gap;
+    FC_READ_ONE(&gap, gaps + g);
+    for (i = gap; i < count; i++) {
+      const uint16_t moved = placed[i].order;
+      const int32_t front = front_of(placed, moved);
+      for (j = i; j >= gap && front_of(placed, placed[j - gap].order) > front; j = (uint16_t)(j - gap))
+        placed[j].order = placed[j - gap].order;
+      placed[j].order = moved;
+    }
+  }
+}
+
 FC_COLD void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
   fc_placed_sphere *placed = memory;
   int64_t limit = (int64_t)fc_num_round(fc_num_from_u64((uint64_t)frame->scene.far_limit, fc_view_far_exponent(frame)), 0);
-  uint16_t i;
+  uint16_t i, visible = 0;
   limit = limit < 0 || limit > INT64_C(1) << 40 ? INT64_C(1) << 40 : limit - 1;
   for (i = 0; i < shapes->count; i++) {
     fc_placed_sphere *p = &placed[i];
@@ -32,19 +53,28 @@ FC_COLD void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, v
     if (!fc_ball_window(frame, c, p->radius, &box)) continue;
     set_window(frame, &box, &p->window);
     p->seen = FC_SPHERE_ODD;
-    /* |C| + r beyond the limit, which is cut to whole units, or not: squares below 3 * 2^60 */
+    placed[visible++].order = i;
     square = fc_small_dot(c, c);
-    p->beyond = frame->scene.far_limit > 0 &&
-                (limit <= p->radius || (limit < INT64_C(1) << 31 && square >= (limit - p->radius) * (limit - p->radius)));
     /* 3 * 2^60 - 1: fits */
     power = square - (int64_t)p->radius * p->radius;
     if (c[2] <= p->radius || power <= 0) continue;
     factor = fc_num_mul(fc_num_from_u64((uint64_t)power, 0), fc_num_from_u64((uint64_t)frame->view.focal, 0));
     factor = fc_num_div(fc_num_from_u64(frame->depth_near, 0), factor);
     p->factor = (uint32_t)(factor.m >> 31);
-    p->exponent = (int16_t)(factor.e + 31);
-    p->seen = FC_SPHERE_PLAIN;
+    p->exponent = (int8_t)(factor.e + 31);
+    /* |C| + r beyond the limit, which is cut to whole units, or not: squares below 3 * 2^60 */
+    p->seen = frame->scene.far_limit > 0 &&
+              (limit <= p->radius || (limit < INT64_C(1) << 31 && square >= (limit - p->radius) * (limit - p->radius)))
+                  ? FC_SPHERE_CUT : FC_SPHERE_PLAIN;
   }
+  if (visible < shapes->count) placed[visible].order = FC_SPHERE_LAST;
+  sort_by_depth(placed, visible);
+}
+
+FC_COLD void fc_sphere_strip(fc_scan *scan, uint16_t rows) {
+  const fc_placed_sphere *placed = scan->at->group.memory;
+  uint16_t i;
+  for (i = 0; i < scan->at->group.shapes.count && placed[i].order != FC_SPHERE_LAST; i++) fc_scan_item(scan, placed[i].order, rows);
 }
 
 bool fc_sphere_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box) {
@@ -74,20 +104,75 @@ typedef struct ball_light {
   uint8_t octave, octaves; /* p of fewer bits, or octaves or more above them, is left to the ray engine */
   fc_quick depth;         /* near 2^(30 + drop) / F: over p it is t */
   uint32_t curve[3];      /* cosine / (s - h) = curve[0] + x (curve[1] + x curve[2]), Q16, x = s - h; curve[0] 0: see cosine_of */
-  uint8_t occluders;      /* MANY: more than the list holds */
+  uint8_t occluders;      /* MANY: more than the list holds; UNSOUGHT */
+  uint8_t unit;           /* a short vector's unit is 2^this: what lies between light and ball has 15 bits */
   struct {
     uint16_t primitive;
-    fc_placed_window window; /* pixels in which it may matter */
+    int16_t radius;          /* of a sphere, short; 0: ask the form */
+    union {
+      int16_t center[3];       /* of a sphere with a short radius: from the light */
+      fc_placed_window window; /* of others: pixels in which it may matter */
+    } at;
   } occluder[8];
 } ball_light;
 
 enum { LIGHT_UNKNOWN, LIGHT_FORMS, LIGHT_SLOW };
 #define MANY 255
+#define UNSOUGHT 254 /* nothing in the tile has faced the light yet */
 
 typedef struct occluder_list {
   const fc_scan *scan;
   ball_light *light;
+  int16_t way[3];   /* from the light to the ball, short */
+  uint32_t length;  /* squared */
 } occluder_list;
+
+/* Products of vectors of 15 bits: below 3 * 2^30. */
+static uint32_t short_square(const int16_t v[3]) {
+  return (uint32_t)((int32_t)v[0] * v[0]) + (uint32_t)((int32_t)v[1] * v[1]) + (uint32_t)((int32_t)v[2] * v[2]);
+}
+
+static int64_t short_dot(const int16_t a[3], const int16_t b[3]) {
+  return (int64_t)((int32_t)a[0] * b[0]) + (int32_t)a[1] * b[1] + (int32_t)a[2] * b[2];
+}
+
+/*
+ * Whether a sphere may lie in the hull of the light and a ball, which is in a capsule and in a cone: the sphere misses it if it is
+ * clear of either. a: from the light to the sphere, b: to the ball, floored to 15 bits; own, other: their radii and 4 for the cuts.
+ */
+static FC_NOINLINE bool short_between(uint32_t aa, int64_t ab, uint32_t bb, uint32_t own, uint32_t other) {
+  const uint32_t sum = own + other, square = sum * sum;
+  uint64_t across, along;
+  uint32_t reach;
+  if (sum >> 16 != 0) return true;
+  /* the capsule: the distance of the sphere's center from the segment */
+  if (ab <= 0) return aa <= square;
+  if (ab >= bb) {
+    if ((int64_t)aa + bb - 2 * ab > square) return false;
+    if (ab >> 32 != 0) return true;
+  } else if (aa > square && fc_mul32(aa - square, bb) > fc_mul32((uint32_t)ab, (uint32_t)ab)) {
+    return false;
+  }
+  /* the cone: w cos > r_own + u sin, w and u across and along the axis, sin = r_other / |b|, squared and times b^4 */
+  if (bb <= other * other) return true;
+  across = fc_mul32(aa, bb);
+  along = fc_mul32((uint32_t)ab, (uint32_t)ab);
+  reach = (uint32_t)((fc_mul32(own, bb) + fc_mul32(other, (uint32_t)ab)) >> 17) + 1; /* 16 + 32 bits, two of them */
+  across = across > along ? (across - along) >> 34 : 0;
+  return fc_mul32((uint32_t)across, bb - other * other) <= fc_mul32(reach, reach); /* 30 + 32 bits and 32 + 32 */
+}
+
+/* A sphere's center seen from the light, floored; returns the radius, 0 when something has more than 15 bits or too few. */
+static FC_COLD int16_t shorten(const fc_form *form, const int64_t light[3], uint8_t unit, int16_t center[3]) {
+  const int32_t radius = (int32_t)form->u.sphere.radius >> unit;
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    int32_t c = fc_floor_shift32((int32_t)(form->u.sphere.center[i] - light[i]), unit); /* 31 bits */
+    center[i] = (int16_t)c;
+    if (center[i] != c) return 0;
+  }
+  return radius > INT16_MAX ? 0 : (int16_t)radius;
+}
 
 static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
   const occluder_list *list = context;
@@ -95,18 +180,30 @@ static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
   ball_light *light = list->light;
   fc_form form;
   fc_window box;
+  int16_t center[3], radius = 0;
+  uint8_t i;
   uint16_t primitive = (uint16_t)(at->group.first + index);
   if (primitive == scan->primitive) return false;
   fc_kind_of(at)->fetch(&at->group, index, &form);
-  if (!fc_kind_of(at)->between(scan->frame, &form, scan->frame->lights, scan->form->u.sphere.center,
-                               scan->form->u.sphere.radius, &box))
+  if (fc_kind_of(at)->hides == fc_sphere_hides) radius = shorten(&form, scan->frame->lights, light->unit, center);
+  if (radius != 0) {
+    if (!short_between(short_square(center), short_dot(center, list->way), list->length, (uint32_t)radius + 4,
+                       ((uint32_t)scan->form->u.sphere.radius >> light->unit) + 4))
+      return false;
+  } else if (!fc_kind_of(at)->between(scan->frame, &form, scan->frame->lights, scan->form->u.sphere.center,
+                                      scan->form->u.sphere.radius, &box)) {
     return false;
+  }
   if (light->occluders == FC_COUNT_OF(light->occluder)) {
     light->occluders = MANY;
     return true;
   }
   light->occluder[light->occluders].primitive = primitive;
-  set_window(scan->frame, &box, &light->occluder[light->occluders].window);
+  light->occluder[light->occluders].radius = radius;
+  if (radius == 0)
+    set_window(scan->frame, &box, &light->occluder[light->occluders].at.window);
+  else
+    for (i = 0; i < 3; i++) light->occluder[light->occluders].at.center[i] = center[i];
   light->occluders++;
   return false;
 }
@@ -115,9 +212,17 @@ static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
   fc_space space = fc_space_of_frame(scan->frame);
   fc_reach reach;
   occluder_list list;
+  uint64_t most = 0;
+  uint8_t i;
   list.scan = scan;
   list.light = light;
   light->occluders = 0;
+  for (i = 0; i < 3; i++) most |= fc_abs64(scan->form->u.sphere.center[i] - scan->frame->lights[i]) + (uint64_t)scan->form->u.sphere.radius;
+  most += most >> 10; /* a point's error, mostly */
+  i = fc_bits64(most);
+  light->unit = i > 15 ? (uint8_t)(i - 15) : 0;
+  (void)shorten(scan->form, scan->frame->lights, light->unit, list.way); /* fits */
+  list.length = short_square(list.way);
   reach.from = scan->frame->lights;
   reach.to = scan->form->u.sphere.center;
   reach.corners = 1;
@@ -243,17 +348,42 @@ static FC_COLD uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t
 /* The point that a pixel with this p shows: t D with t = near 2^(30 + drop) / (p F); returns a bound of its error an axis. */
 static FC_COLD uint32_t point_at(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p,
                          int32_t point[3]) {
-  fc_quick t = fc_quick_mul(fc_quick_recip(fc_quick_from(p, 0)), light->depth);
+  const fc_quick t = fc_quick_mul(fc_quick_recip(fc_quick_from(p, 0)), light->depth);
+  const int16_t up = (int16_t)(t.e + 32);
   int64_t d[3];
   uint32_t most = 0;
   uint8_t i;
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
   for (i = 0; i < 3; i++) {
-    point[i] = fc_quick_times(t, d[i], 0);
+    int32_t v = fc_smulhi32((int32_t)d[i], t.m);
+    point[i] = up > 0 ? v * (INT32_C(1) << up) : fc_floor_shift32(v, (uint8_t)(up < -31 ? 31 : -up));
     most |= fc_abs32(point[i]);
   }
-  /* p is good to 2^-20 (set_light), the rest to 2^-24, and the cut */
-  return (most >> 19) + 2;
+  /* p is good to 2^-20 (set_light), the rest to 2^-24, and the floors */
+  return (most >> 19) + 2 + (up > 0 ? UINT32_C(1) << up : 0);
+}
+
+/*
+ * Whether a sphere keeps the light from a point: 1, 0, or -1. a: from the light to the centre, b: to the point, in units that
+ * make both and the radius 15 bits. Floored, a is off by less than sqrt(3), b by that and the point's error (floored, an
+ * axis), the radius by 1: distances compare for certain beyond `slack`. With both ends clearly outside, the segment is blocked
+ * iff its inner points come within the radius.
+ */
+static FC_NOINLINE int8_t short_hides(uint32_t aa, int64_t ab, uint32_t bb, int16_t radius, uint32_t error) {
+  int32_t out, in;
+  uint64_t across, square;
+  int64_t apart = (int64_t)aa + bb - 2 * ab; /* |a - b|^2 */
+  if (error > 2044) return -1;
+  out = 2 * (int32_t)error + 8; /* sqrt(3) (1 + error + 1 + 1) + 1 < 2 error + 6.2 */
+  in = radius - out;
+  out += radius;
+  if (aa <= (uint32_t)(out * out) || apart <= out * out) return -1;
+  if (ab <= 0 || ab >= bb) return 0; /* the nearest point is an end */
+  across = fc_mul32(aa, bb) - fc_mul32((uint32_t)ab, (uint32_t)ab); /* squared distance from the line, times bb; ab < bb */
+  square = fc_mul32((uint32_t)(out * out), bb);                     /* 31 + 32 bits */
+  if (across > square) return 0;
+  square = in > 0 ? fc_mul32((uint32_t)(in * in), bb) : 0;
+  return across < square ? 1 : -1;
 }
 
 /* A pixel whose occluders are searched for, as no list holds them. */
@@ -299,24 +429,38 @@ static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint1
   fc_space space = fc_space_of_frame(scan->frame);
   fc_cursor cursor;
   int32_t point[3];
-  uint32_t error = 0;
+  int16_t way[3]; /* from the light to the point */
+  uint32_t error, length;
+  bool fits = true;
   uint8_t i;
   uint16_t index;
   if (light->occluders == MANY) return occluded_by_any(scan, light, row, column, p);
+  error = point_at(scan, light, row, column, p, point);
+  for (i = 0; i < 3; i++) {
+    int32_t v = fc_floor_shift32(point[i] - (int32_t)scan->frame->lights[i], light->unit);
+    way[i] = (int16_t)v;
+    if (way[i] != v) fits = false;
+  }
+  length = short_square(way);
   for (i = 0; i < light->occluders; i++) {
     fc_form form;
     const fc_kind *kind;
     int8_t hides = -1;
-    const fc_placed_window *window = &light->occluder[i].window;
-    if (scan->x + column < window->x0 || scan->x + column > window->x1 || scan->y + row < window->y0 ||
-        scan->y + row > window->y1 || !fc_cursor_find(&cursor, &space, light->occluder[i].primitive, &index))
-      continue;
+    if (fits && light->occluder[i].radius != 0) {
+      const int16_t *center = light->occluder[i].at.center;
+      hides = short_hides(short_square(center), short_dot(center, way), length, light->occluder[i].radius, error >> light->unit);
+      if (hides == 0) continue;
+      if (hides > 0) return true;
+    } else if (light->occluder[i].radius == 0) {
+      const fc_placed_window *window = &light->occluder[i].at.window;
+      if (scan->x + column < window->x0 || scan->x + column > window->x1 || scan->y + row < window->y0 ||
+          scan->y + row > window->y1)
+        continue;
+    }
+    if (!fc_cursor_find(&cursor, &space, light->occluder[i].primitive, &index)) continue;
     kind = fc_kind_of(&cursor);
     kind->fetch(&cursor.group, index, &form);
-    if (kind->hides != NULL) {
-      if (error == 0) error = point_at(scan, light, row, column, p, point);
-      hides = kind->hides(&form, scan->frame->lights, point, error);
-    }
+    if (kind->hides != NULL) hides = kind->hides(&form, scan->frame->lights, point, error);
     if (hides > 0 || (hides < 0 && fc_scan_blocked(scan, row, column, kind, &form))) return true;
   }
   return false;
@@ -450,11 +594,12 @@ static FC_NOINLINE void shade_any(const ball_light *light, const fc_tint *tint, 
 }
 
 /* Lights the pixels of a row in `bits`, given p of each and in `e` a copy that is used up. */
-static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
+static void light_row(const fc_scan *scan, ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
                       const uint32_t *p, uint32_t *e) {
   uint32_t open, dark, bit = 1, rest;
   uint8_t i;
   open = facing_row(light, light->at + light->dx * column + light->dy * row, bits, e, &dark);
+  if (light->occluders == UNSOUGHT && (bits & ~dark) != 0) find_occluders(scan, light);
   rest = light->occluders == 0 ? open : bits & ~dark;
   for (i = 0; rest != 0; rest >>= 1, bit <<= 1, i++) {
     uint16_t x = (uint16_t)(column + i);
@@ -475,7 +620,7 @@ static void light_row(const fc_scan *scan, const ball_light *light, uint16_t row
 }
 
 /* The same among occluders, who are asked about the points. */
-static FC_COLD void light_row_among(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column,
+static FC_COLD void light_row_among(const fc_scan *scan, ball_light *light, uint16_t row, uint16_t column,
                                         uint32_t bits, const uint32_t *p) {
   uint32_t e[32], rest;
   uint8_t i;
@@ -865,7 +1010,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   uint8_t how = LIGHT_UNKNOWN;
   set_ball(scan, placed, &ball, &b_dy);
   set_last(&ball, (uint64_t)scan->columns - 1);
-  ball.clip = placed->beyond;
+  ball.clip = placed->seen == FC_SPHERE_CUT;
   fc_coder_start(&coder, scan->frame, ball.drop, UINT32_C(1) << 29);
   for (row = 0; row <= scan->last_row; row++, next_row(&ball, b_dy)) {
     sphere_row at;
@@ -890,7 +1035,7 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
       if (bits == 0) continue;
       if (how == LIGHT_UNKNOWN) {
         how = set_light(scan, &light, ball.drop, ball.error);
-        if (how == LIGHT_FORMS) find_occluders(scan, &light);
+        light.occluders = UNSOUGHT;
       }
       if (how == LIGHT_SLOW)
         fc_scan_shade_slowly(scan, row, column, bits);
@@ -902,11 +1047,41 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
   }
 }
 
+/* A depth code that the sphere's pixels do not exceed. */
+static FC_COLD uint16_t nearest_code(const fc_scan *scan) {
+  /* z - r is at least 1, and near at most that: their quotient is within 2^-24 */
+  const fc_quick z = fc_quick_from((uint64_t)(scan->form->u.sphere.center[2] - scan->form->u.sphere.radius), 0);
+  const fc_quick p = fc_quick_mul(fc_quick_from(scan->frame->depth_near, 30), fc_quick_recip(z));
+  uint32_t most = (uint32_t)fc_quick_to_int(p, 0), code; /* 2^30 and little more */
+  fc_coder coder;
+  most += (most >> 23) + 2;
+  fc_coder_start(&coder, scan->frame, 0, most);
+  code = (uint32_t)coder.base + ((most + coder.half) >> coder.shift) + 1;
+  return code > UINT16_MAX ? UINT16_MAX : (uint16_t)code;
+}
+
+/* Whether nearer surfaces cover the tile for certain. */
+static FC_COLD bool is_covered(const fc_scan *scan) {
+  const uint16_t last = (uint16_t)(scan->columns - 1);
+  uint16_t row, code;
+  if (*fc_scan_depth(scan, scan->first_row, 0) == 0 || *fc_scan_depth(scan, scan->last_row, last) == 0) return false;
+  code = nearest_code(scan);
+  for (row = scan->first_row; row <= scan->last_row; row++) {
+    const uint16_t *depth = fc_scan_depth(scan, row, 0), *end = depth + scan->columns;
+    if (fc_scan_skips(scan, row)) continue;
+    do {
+      if (*depth <= code) return false;
+    } while (++depth != end);
+  }
+  return true;
+}
+
 FC_COLD void fc_sphere_draw(fc_scan *scan) {
   const fc_placed_sphere *placed = (const fc_placed_sphere *)scan->at->group.memory + scan->index;
   uint16_t row;
   uint8_t word;
-  if (placed->seen == FC_SPHERE_PLAIN) {
+  if (placed->seen != FC_SPHERE_ODD && is_covered(scan)) return;
+  if (placed->seen != FC_SPHERE_ODD) {
     draw_plain(scan, placed);
     return;
   }
@@ -924,61 +1099,32 @@ FC_COLD void fc_sphere_draw(fc_scan *scan) {
 
 FC_COLD bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window) {
-  /* The hull of light and ball lies in a capsule and in a cone: the sphere misses it if it is clear of either. In units that
-   * make everything 15 bits, with some units of slack for the cuts. a: to the sphere, b: to the ball. */
-  int64_t a[3], b[3];
-  int64_t aa, ab, bb, own, other, sum;
+  int32_t a[3], b[3]; /* 31 bits */
+  int16_t x[3], y[3];
+  uint32_t most = (uint32_t)form->u.sphere.radius | (uint32_t)radius;
   uint8_t i, bits, shift;
-  uint64_t most = (uint64_t)form->u.sphere.radius | (uint64_t)radius;
   window->x0 = window->y0 = 0;
   window->x1 = frame->width - 1;
   window->y1 = frame->height - 1;
   for (i = 0; i < 3; i++) {
-    a[i] = form->u.sphere.center[i] - light[i];
-    b[i] = center[i] - light[i];
-    most |= fc_abs64(a[i]) | fc_abs64(b[i]);
+    a[i] = (int32_t)(form->u.sphere.center[i] - light[i]);
+    b[i] = (int32_t)(center[i] - light[i]);
+    most |= fc_abs32(a[i]) | fc_abs32(b[i]);
   }
-  bits = fc_bits64(most);
+  bits = most == 0 ? 0 : (uint8_t)(32 - fc_clz32(most));
   shift = bits > 15 ? (uint8_t)(bits - 15) : 0;
-  aa = ab = bb = 0; /* below 3 * 2^30 */
   for (i = 0; i < 3; i++) {
-    int32_t x = (int32_t)fc_floor_shift64(a[i], shift), y = (int32_t)fc_floor_shift64(b[i], shift);
-    aa += x * x;
-    ab += x * y;
-    bb += y * y;
+    x[i] = (int16_t)fc_floor_shift32(a[i], shift);
+    y[i] = (int16_t)fc_floor_shift32(b[i], shift);
   }
-  own = (form->u.sphere.radius >> shift) + 4;
-  other = (radius >> shift) + 4;
-  sum = own + other;
-  /* the capsule: the distance of the sphere's center from the segment */
-  if (ab <= 0) return aa <= sum * sum;
-  if (ab >= bb) {
-    if (aa - 2 * ab + bb > sum * sum) return false;
-  } else if (aa > sum * sum && (uint64_t)(aa - sum * sum) * (uint64_t)bb > (uint64_t)ab * (uint64_t)ab) {
-    return false;
-  }
-  /* the cone: w cos > r_own + u sin, w and u across and along the axis, sin = r_other / |b|, squared and times b^4 */
-  if (bb <= other * other) return true;
-  {
-    uint64_t across = (uint64_t)aa * (uint64_t)bb, along = (uint64_t)ab * (uint64_t)ab;
-    uint64_t reach = (uint64_t)(own * bb + other * ab); /* 16 + 32 bits, two of them */
-    reach = (reach >> 17) + 1;
-    across = across > along ? (across - along) >> 34 : 0;
-    return across * (uint64_t)(bb - other * other) <= reach * reach; /* 30 + 32 bits and 32 + 32 */
-  }
+  return short_between(short_square(x), short_dot(x, y), short_square(y), ((uint32_t)form->u.sphere.radius >> shift) + 4,
+                       ((uint32_t)radius >> shift) + 4);
 }
 
-/*
- * Whether the sphere keeps the light from the point: 1, 0, or -1, in 15 bits. a: from the light to the centre, b: to the point. In
- * units that make them and the radius 15 bits, a is off by less than sqrt(3), b by that and the point's error, the radius by 1:
- * distances compare for certain beyond `slack`. With both ends clearly outside, the segment is blocked iff its inner points
- * come within the radius.
- */
+/* Whether the sphere keeps the light from the point: 1, 0, or -1, in 15 bits. */
 static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
-  int64_t ab = 0, apart;
-  int32_t a[3], b[3], out, in; /* a and b below 2^31 */
-  uint32_t aa = 0, bb = 0;     /* below 3 * 2^30 */
-  uint64_t across, square;
+  int32_t a[3], b[3]; /* below 2^31 */
+  int16_t x[3], y[3];
   uint32_t most = (uint32_t)form->u.sphere.radius | 1;
   uint8_t i, bits, shift;
   for (i = 0; i < 3; i++) {
@@ -989,25 +1135,12 @@ static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], co
   }
   bits = (uint8_t)(32 - fc_clz32(most));
   shift = bits > 15 ? (uint8_t)(bits - 15) : 0;
-  out = 2 * (int32_t)(error >> shift) + 8; /* sqrt(3) (1 + error + 1 + 1) + 1 < 2 error + 6.2, the error floored */
-  if (out > 4096) return -1;
   for (i = 0; i < 3; i++) {
-    int32_t x = fc_floor_shift32(a[i], shift), y = fc_floor_shift32(b[i], shift);
-    aa += (uint32_t)(x * x);
-    ab += x * y;
-    bb += (uint32_t)(y * y);
+    x[i] = (int16_t)fc_floor_shift32(a[i], shift);
+    y[i] = (int16_t)fc_floor_shift32(b[i], shift);
   }
-  in = (int32_t)((uint32_t)form->u.sphere.radius >> shift); /* below 2^15 */
-  out += in;
-  in += in - out;
-  apart = (int64_t)aa + bb - 2 * ab; /* |a - b|^2 */
-  if (aa <= (uint32_t)(out * out) || apart <= out * out) return -1;
-  if (ab <= 0 || ab >= bb) return 0; /* the nearest point is an end */
-  across = fc_mul32(aa, bb) - fc_mul32((uint32_t)ab, (uint32_t)ab); /* squared distance from the line, times bb; ab < bb */
-  square = fc_mul32((uint32_t)(out * out), bb);                     /* 31 + 32 bits */
-  if (across > square) return 0;
-  square = in > 0 ? fc_mul32((uint32_t)(in * in), bb) : 0;
-  return across < square ? 1 : -1;
+  return short_hides(short_square(x), short_dot(x, y), short_square(y), (int16_t)((uint32_t)form->u.sphere.radius >> shift),
+                     error >> shift);
 }
 
 FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
@@ -1123,7 +1256,7 @@ static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *t
 
 /* Whether f stays below `lit` all along a row. Seen as a parabola it does for certain where it opens downwards and its vertex,
  * f + (dx - dxx / 2)^2 / (2 |dxx|), lies below: words of 31 bits, rounded to the safe side. */
-static bool row_is_clear(const fc_cone *cone, int64_t lit) {
+static FC_NOINLINE bool row_is_clear(const fc_cone *cone, int64_t lit) {
   uint32_t slope, bend, below;
   if (cone->dxx >= 0 || cone->f >= lit) return false;
   slope = (uint32_t)(fc_abs64(fc_to_i64((uint64_t)cone->dx - (uint64_t)fc_floor_shift64(cone->dxx, 1))) >> 32) + 1;
@@ -1159,67 +1292,126 @@ static uint32_t axes_of(const int16_t v[3], uint32_t *greatest) {
 }
 
 /*
- * Whether a ball seen from the light at C lies clear of what the tile shows, at a glance: W there is between its corners', so the
- * planes through the light along the upper and the lower edge bound it, and the ball lies beyond one of them.
+ * The planes through the light along the tile's upper and lower edge. W in the tile is between its corners', so it lies on one side
+ * of both.
  *
  * A corner w has 15 bits and is within 1 an axis, so the normal w1 x w2 is within e = 2 (w1 + w2 + 1) of their greatest axes. Cut to
- * 15 bits, m, it is within e 2^-s + 1; C has 15 bits within 1. So m.v is within |m|_1 + (e 2^-s + 1) (|v|_1 + 3) for either.
+ * 15 bits, m, it is within e 2^-s + 1. So m.v is within |m|_1 + (e 2^-s + 1) (|v|_1 + 3) for a v of 15 bits within 1.
  */
-static bool beyond_edges(const fc_planar *receiver, const int64_t center[3], int64_t radius) {
-  int16_t c[3];
-  int32_t reach;
-  uint64_t most = (uint64_t)radius;
-  uint32_t c_sum, greatest;
-  uint8_t i, edge, shift;
-  for (i = 0; i < 3; i++) most |= fc_abs64(center[i]);
-  shift = fc_bits64(most);
-  shift = shift > 15 ? (uint8_t)(shift - 15) : 0;
-  for (i = 0; i < 3; i++) c[i] = (int16_t)fc_floor_shift64(center[i], shift);
-  reach = (int32_t)(radius >> shift) + 1;
-  c_sum = axes_of(c, &greatest);
-  for (edge = 0; edge < 4; edge = (uint8_t)(edge + 2)) {
-    const int16_t *u = receiver->corner[edge], *v = receiver->corner[edge + 1];
-    const int16_t *near = receiver->corner[2 - edge], *next = receiver->corner[3 - edge];
-    int32_t wide[3], inner, other, ball, slack, at;
-    int16_t m[3];
-    uint32_t error, sum, a, b;
+static FC_COLD void find_edges(fc_planar *receiver) {
+  uint8_t i, k;
+  if (!receiver->corners_known) fc_planar_find_corners(receiver);
+  for (k = 0; k < 2; k++) {
+    fc_planar_edge *edge = &receiver->edge[k];
+    const int16_t *u = receiver->corner[2 * k], *v = receiver->corner[2 * k + 1];
+    const int16_t *near = receiver->corner[2 - 2 * k], *next = receiver->corner[3 - 2 * k];
+    int32_t wide[3], inner, other, slack;
+    uint32_t most = 0, error, a, b;
+    uint8_t shift;
+    edge->side = 0;
     (void)axes_of(u, &a);
     (void)axes_of(v, &b);
     error = 2 * (a + b + 1);
-    most = 0;
     for (i = 0; i < 3; i++) {
-      uint8_t j = (uint8_t)(i == 2 ? 0 : i + 1), k = (uint8_t)(i == 0 ? 2 : i - 1);
-      wide[i] = (int32_t)u[j] * v[k] - (int32_t)u[k] * v[j]; /* products below 2^28 */
+      uint8_t j = (uint8_t)(i == 2 ? 0 : i + 1), h = (uint8_t)(i == 0 ? 2 : i - 1);
+      wide[i] = (int32_t)u[j] * v[h] - (int32_t)u[h] * v[j]; /* products below 2^28 */
       most |= fc_abs32(wide[i]);
     }
     shift = fc_bits64(most);
     shift = shift > 15 ? (uint8_t)(shift - 15) : 0;
     error = (error >> shift) + 2;
     if (error >> 10 != 0) continue; /* all but parallel */
-    for (i = 0; i < 3; i++) m[i] = (int16_t)fc_floor_shift32(wide[i], shift);
-    sum = axes_of(m, &greatest);
+    for (i = 0; i < 3; i++) edge->normal[i] = (int16_t)fc_floor_shift32(wide[i], shift);
+    edge->error = (uint16_t)error;
+    edge->sum = axes_of(edge->normal, &edge->greatest);
     a = axes_of(near, &b);
     a += axes_of(next, &b); /* more than either */
-    slack = (int32_t)((sum + error * (a + 3)) / 4) + 4; /* 17 bits; 10 + 18 */
+    slack = (int32_t)((edge->sum + error * (a + 3)) / 4) + 4; /* 17 bits; 10 + 18 */
+    inner = side_of(edge->normal, near);
+    other = side_of(edge->normal, next);
+    edge->side = (int8_t)((inner > slack && other > slack) - (inner < -slack && other < -slack));
+  }
+  receiver->edges_known = true;
+}
+
+/* Whether a ball seen from the light at C lies clear of what the tile shows, at a glance: beyond one of these planes. */
+static FC_NOINLINE bool beyond_edges(fc_planar *receiver, const int64_t center[3], int64_t radius) {
+  int16_t c[3];
+  uint64_t most = (uint64_t)radius;
+  uint32_t c_sum, reach, greatest;
+  uint8_t i, shift;
+  if (!receiver->edges_known) find_edges(receiver);
+  if (receiver->edge[0].side == 0 && receiver->edge[1].side == 0) return false;
+  for (i = 0; i < 3; i++) most |= fc_abs64(center[i]);
+  shift = fc_bits64(most);
+  shift = shift > 15 ? (uint8_t)(shift - 15) : 0;
+  for (i = 0; i < 3; i++) c[i] = (int16_t)fc_floor_shift64(center[i], shift);
+  reach = (uint32_t)(radius >> shift) + 1;
+  c_sum = axes_of(c, &greatest);
+  for (i = 0; i < 2; i++) {
+    const fc_planar_edge *edge = &receiver->edge[i];
+    int32_t ball, at;
+    if (edge->side == 0) continue;
     /* |m| is at most its longest axis and half the others: 15 + 17 bits, quartered */
-    ball = (int32_t)(((uint32_t)reach * ((sum + greatest) / 2 + 1)) / 4 + (sum + error * (c_sum + 3)) / 4) + 8;
-    inner = side_of(m, near);
-    other = side_of(m, next);
-    at = side_of(m, c);
-    if ((inner > slack && other > slack && at < -ball) || (inner < -slack && other < -slack && at > ball)) return true;
+    ball = (int32_t)((reach * ((edge->sum + edge->greatest) / 2 + 1)) / 4 + (edge->sum + edge->error * (c_sum + 3)) / 4) + 8;
+    at = side_of(edge->normal, c);
+    if (edge->side > 0 ? at < -ball : at > ball) return true;
   }
   return false;
 }
 
-void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
+/* A row whose form is f, dx and dxx at its first pixel. */
+static FC_NOINLINE void darken_row(fc_scan *scan, const shadow_test *test, uint16_t row, uint64_t f, uint64_t dx, uint64_t dxx) {
+  const bool concave = fc_to_i64(dxx) < 0;
+  const int64_t lit = test->lit;
+  /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|; f, below 2^62,
+   * bends by 8 dxx over 8 columns */
+  const int64_t bulge = scan->columns < 8 ? 0 : (int64_t)fc_abs64(fc_to_i64(dxx));
+  uint16_t column = 0;
+  uint8_t word;
+  for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
+    uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
+    /* 32 columns on: f + 32 dx + 496 dxx */
+    uint64_t f_next = f + (dx << 5) + (dxx << 9) - (dxx << 4), dx_next = dx + (dxx << 5);
+    /* an ellipse: once f is below and falls, or as long as it still rises and stays below, there is nothing to find */
+    if (concave && fc_to_i64(f) < lit && fc_to_i64(dx) <= 0) break;
+    if (concave && word + 1 < scan->words && fc_to_i64(f_next) < lit && fc_to_i64(dx_next - dxx) >= 0) bits = 0;
+    /* what lies past the tile does not fit */
+    if (bits != 0 && (word + 1 == scan->words || fc_to_i64(f) >= lit - (bulge << 7) || fc_to_i64(f_next) >= lit - (bulge << 7))) {
+      uint8_t k;
+      for (k = 0; bits != 0; k = (uint8_t)(k + 8), bits >>= 8) {
+        /* 8 on: f + 8 dx + 28 dxx */
+        uint64_t f8 = f + (dx << 3) + (dxx << 5) - (dxx << 2);
+        uint32_t some = bits & 0xffu;
+        if (concave && fc_to_i64(f) < lit && fc_to_i64(dx) <= 0) break;
+        if (some != 0 && column + k + 8 > scan->columns) {
+          darkened |= shade_some(scan, test, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
+        } else if (some != 0) {
+          const bool falls = fc_to_i64(f8) < fc_to_i64(f);
+          const int64_t low = fc_to_i64(falls ? f8 : f), high = fc_to_i64(falls ? f : f8);
+          if (high >= lit - (bulge << 3) && !(concave && fc_to_i64(f8) < lit && fc_to_i64(dx + (dxx << 3) - dxx) >= 0)) {
+            if (low > test->dark + (bulge << 3) && test->everywhere > 0 && !test->doubted)
+              darkened |= some << k;
+            else
+              darkened |= shade_some(scan, test, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
+          }
+        }
+        f = f8;
+        dx += dxx << 3;
+      }
+      if (darkened != 0) fc_planar_darken(scan, row, column, darkened);
+    }
+    f = f_next;
+    dx = dx_next;
+  }
+}
+
+void fc_sphere_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   const int64_t *c = form->u.sphere.center;
   int64_t center[3], radius = form->u.sphere.radius;
   fc_cone cone;
-  ahead_form ahead;
   uint16_t row;
   uint8_t i;
-  int8_t everywhere;
-  int64_t bulge;
   bool known = false;
   shadow_test clear;
   for (i = 0; i < 3; i++) center[i] = c[i] - scan->frame->lights[i]; /* below 2^31 */
@@ -1229,65 +1421,21 @@ void fc_sphere_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *k
     return;
   }
   if (beyond_edges(receiver, center, radius)) return;
-  everywhere = set_ahead(scan, receiver, center, &ahead);
-  if (everywhere < 0) return;
+  clear.everywhere = set_ahead(scan, receiver, center, &clear.ahead);
+  if (clear.everywhere < 0) return;
   fc_cone_setup(&cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
   clear.dark = cone.error;
   clear.lit = -cone.error;
-  clear.everywhere = everywhere;
-  clear.ahead = ahead;
   clear.receiver = receiver;
   clear.kind = kind;
   clear.form = form;
-  /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|; f, below 2^62,
-   * bends by 8 dxx over 8 columns */
-  bulge = scan->columns < 8 ? 0 : (int64_t)fc_abs64(cone.dxx);
   for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(&cone)) {
-    uint64_t f = (uint64_t)cone.f, dx = (uint64_t)cone.dx;
-    const uint64_t dxx = (uint64_t)cone.dxx;
-    const bool concave = cone.dxx < 0;
-    uint16_t column = 0;
-    uint8_t word;
     if (row < scan->first_row || row_is_clear(&cone, clear.lit)) continue;
     if (!known) {
       if (!fc_planar_faces_ball(scan, receiver, c, radius, &clear.doubt)) return;
       known = true;
     }
     clear.doubted = scan->y + row >= clear.doubt.y0 && scan->y + row <= clear.doubt.y1;
-    for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
-      uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
-      /* 32 columns on: f + 32 dx + 496 dxx */
-      uint64_t f_next = f + (dx << 5) + (dxx << 9) - (dxx << 4), dx_next = dx + (dxx << 5);
-      /* an ellipse: once f is below and falls, or as long as it still rises and stays below, there is nothing to find */
-      if (concave && fc_to_i64(f) < clear.lit && fc_to_i64(dx) <= 0) break;
-      if (concave && word + 1 < scan->words && fc_to_i64(f_next) < clear.lit && fc_to_i64(dx_next - dxx) >= 0) bits = 0;
-      /* what lies past the tile does not fit */
-      if (bits != 0 && (word + 1 == scan->words || fc_to_i64(f) >= clear.lit - (bulge << 7) || fc_to_i64(f_next) >= clear.lit - (bulge << 7))) {
-        uint8_t k;
-        for (k = 0; bits != 0; k = (uint8_t)(k + 8), bits >>= 8) {
-          /* 8 on: f + 8 dx + 28 dxx */
-          uint64_t f8 = f + (dx << 3) + (dxx << 5) - (dxx << 2);
-          uint32_t some = bits & 0xffu;
-          if (concave && fc_to_i64(f) < clear.lit && fc_to_i64(dx) <= 0) break;
-          if (some != 0 && column + k + 8 > scan->columns) {
-            darkened |= shade_some(scan, &clear, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
-          } else if (some != 0) {
-            int64_t low = fc_to_i64(f) < fc_to_i64(f8) ? fc_to_i64(f) : fc_to_i64(f8), high = fc_to_i64(f) < fc_to_i64(f8) ? fc_to_i64(f8) : fc_to_i64(f);
-            if (high >= clear.lit - (bulge << 3) &&
-                !(concave && fc_to_i64(f8) < clear.lit && fc_to_i64(dx + (dxx << 3) - dxx) >= 0)) {
-              if (low > clear.dark + (bulge << 3) && everywhere > 0 && !clear.doubted)
-                darkened |= some << k;
-              else
-                darkened |= shade_some(scan, &clear, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
-            }
-          }
-          f = f8;
-          dx += dxx << 3;
-        }
-        if (darkened != 0) fc_planar_darken(scan, row, column, darkened);
-      }
-      f = f_next;
-      dx = dx_next;
-    }
+    darken_row(scan, &clear, row, (uint64_t)cone.f, (uint64_t)cone.dx, (uint64_t)cone.dxx);
   }
 }

@@ -18,8 +18,8 @@ bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_sur
  * it). */
 void fc_shade(const fc_frame *frame, const fc_space *space, const fc_surface *surface, uint64_t radiance_q39[3], uint32_t *lit);
 
-/* What a ray sees that meets nothing. */
-void fc_shade_background(const fc_frame *frame, uint64_t radiance_q39[3]);
+/* What a ray sees that meets nothing: a camera-space direction, components below 2^30. */
+void fc_shade_background(const fc_frame *frame, const int64_t direction[3], uint64_t radiance_q39[3]);
 
 /* A pixel of radiance. */
 void fc_shade_put(const fc_frame *frame, const uint64_t radiance_q39[3], uint8_t format, uint8_t *to);

@@ -13,6 +13,7 @@ typedef struct fc_space {
   const fc_scene *scene; /* in RAM */
   const void *memory;    /* camera-space copies of all tables in order; NULL: world coordinates */
   const fc_view *view;   /* with memory: what brought them there */
+  const uint8_t *entered; /* bit n % 8 of byte n / 8: whether a search enters node n of the hierarchy; NULL: all are */
 } fc_space;
 
 /* A scene in world coordinates. */
@@ -21,6 +22,7 @@ static inline fc_space fc_space_of_world(const fc_scene *scene) {
   space.scene = scene;
   space.memory = NULL;
   space.view = NULL;
+  space.entered = NULL;
   return space;
 }
 
@@ -30,6 +32,7 @@ static inline fc_space fc_space_of_frame(const fc_frame *frame) {
   space.scene = &frame->scene;
   space.memory = frame->memory;
   space.view = &frame->view;
+  space.entered = NULL;
   return space;
 }
 
@@ -86,6 +89,9 @@ bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primit
 
 /* Rounds the point and finds the normal. */
 void fc_surface_complete(fc_surface *surface);
+
+/* Rounds a completed surface's point to a unit, for those who go on from there, and finds its normal anew. */
+void fc_surface_round(fc_surface *surface);
 
 /* The primitive that a ray meets first (equal t: the lowest number), 0xffff for none. With `nearest`, only roots
  * within t_min < t < t_max count, and the first is stored there; without, t > 0 is all that is asked. */

@@ -4,10 +4,11 @@
 #include "kind.h"
 #include "quick.h"
 #include "scan_kinds.h"
+#include "transform.h"
 #include "view.h"
 
 static FC_COLD void read_item(const fc_shapes *shapes, uint16_t index, fc_sphere *sphere) {
-  FC_READ(sphere, (const fc_sphere *)shapes->items + index, sizeof *sphere);
+  FC_READ_ONE(sphere, (const fc_sphere *)shapes->items + index);
 }
 
 static FC_COLD int check(const fc_scene *scene, const fc_shapes *shapes) {
@@ -26,25 +27,33 @@ static FC_COLD int check(const fc_scene *scene, const fc_shapes *shapes) {
 
 static FC_COLD size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_sphere); }
 
-/* |offset| + radius 2^fine, within 2^-23. */
+/* |offset| + radius 2^fine, within 2^-12: the longest of all has 15 bits, each is less than 1 short, and so the sum less than 3. */
 static FC_COLD fc_quick quick_reach(const int64_t offset[3], uint64_t radius, uint8_t fine) {
-  fc_quick sum = {0, 0};
-  uint8_t i;
+  fc_quick sum;
+  uint64_t most = radius << fine; /* 30 + 31 bits */
+  uint32_t square = 0;            /* below 3 2^30 */
+  uint8_t i, shift;
+  for (i = 0; i < 3; i++) most |= fc_abs64(offset[i]);
+  shift = fc_bits64(most);
+  shift = shift > 15 ? (uint8_t)(shift - 15) : 0;
   for (i = 0; i < 3; i++) {
-    fc_quick a = fc_quick_from(fc_abs64(offset[i]), 0);
-    sum = fc_quick_add(sum, fc_quick_mul(a, a));
+    uint32_t a = (uint32_t)(fc_abs64(offset[i]) >> shift);
+    square += a * a;
   }
-  if (sum.m != 0) sum = fc_quick_mul(sum, fc_quick_rsqrt(sum));
-  return fc_quick_add(sum, fc_quick_from(radius, (int16_t)fine));
+  sum = fc_quick_from(square, 0);
+  if (square != 0) sum = fc_quick_mul(sum, fc_quick_rsqrt(sum));
+  return fc_quick_scale(fc_quick_add(sum, fc_quick_from((radius << fine) >> shift, 0)), shift);
 }
 
 static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
-  /* the reach of each to 2^-23 first; then exactly those that may be the farthest */
+  /* the reach of each to 2^-12 first; then exactly those that may be the farthest */
   fc_num most = {0, 0};
   fc_quick farthest = {0, 0};
+  const fc_quick nearly_one = {UINT32_C(0xffc00000), -32}; /* 2^-10 less: more than two values' errors */
   uint8_t pass;
   for (pass = 0; pass < 2; pass++) {
     uint16_t i;
+    if (pass != 0) farthest = fc_quick_mul(farthest, nearly_one);
     for (i = 0; i < shapes->count; i++) {
       fc_sphere s;
       int64_t offset[3];
@@ -55,8 +64,6 @@ static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
       if (pass == 0) {
         if (fc_quick_less(farthest, quick)) farthest = quick;
       } else {
-        /* 2^-20 more is more than the values' errors */
-        quick.m = quick.m > UINT32_MAX - (quick.m >> 20) - 1 ? UINT32_MAX : quick.m + (quick.m >> 20) + 1;
         if (!fc_quick_less(quick, farthest)) {
           fc_num reach, radius;
           fc_length_to(&reach, offset);
@@ -72,15 +79,20 @@ static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
 
 static FC_COLD void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   fc_placed_sphere *placed = to;
+  fc_transform t;
+  const bool quick = fc_transform_find(view, &t);
   uint16_t i;
+  uint8_t j;
   for (i = 0; i < shapes->count; i++) {
     fc_sphere s;
     int64_t center[3];
     read_item(shapes, i, &s);
-    (void)fc_view_point(view, &s.center, 0, center); /* within range: the grid was chosen for it */
-    placed[i].center[0] = (int32_t)center[0];
-    placed[i].center[1] = (int32_t)center[1];
-    placed[i].center[2] = (int32_t)center[2];
+    if (quick) {
+      fc_transform_point(view, &t, &s.center, placed[i].center);
+    } else {
+      (void)fc_view_point(view, &s.center, 0, center); /* within range: the grid was chosen for it */
+      for (j = 0; j < 3; j++) placed[i].center[j] = (int32_t)center[j];
+    }
     placed[i].radius = (int32_t)fc_num_round(fc_num_from_u64((uint64_t)s.radius, view->fine), -view->shift);
   }
 }
@@ -105,8 +117,8 @@ static FC_COLD void fetch(const fc_group *group, uint16_t index, fc_form *form) 
   }
   for (i = 0; i < 3; i++) form->u.sphere.center[i] = v[i];
   form->u.sphere.radius = v[3];
-  FC_READ(&form->material, &item->material, sizeof form->material);
-  FC_READ(&form->object, &item->object, sizeof form->object);
+  FC_READ_ONE(&form->material, &item->material);
+  FC_READ_ONE(&form->object, &item->object);
 }
 
 static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
@@ -195,11 +207,22 @@ static FC_COLD int8_t sign_of(const uint8_t *program, const fc_form *form, const
   return fc_segment_sign(segment, &w, decision);
 }
 
+/* The same as blocked by the rounded point: 1, 0, or -1 when that leaves it open, as everything does far out. */
+static FC_COLD int8_t hides_rounded(const fc_form *form, const fc_segment *segment) {
+  int32_t point[3];
+  uint8_t i;
+  if (segment->point_error >> 20 != 0 || fc_vector_bits(segment->point) > 30 || fc_vector_bits(segment->light) > 30) return -1;
+  for (i = 0; i < 3; i++) point[i] = (int32_t)segment->point[i];
+  return fc_sphere_hides(form, segment->light, point, segment->point_error);
+}
+
 static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
   int64_t low[3], high[3];
   int8_t light, point;
   bounds(form, low, high);
   if (fc_segment_apart(segment, low, high)) return false;
+  light = hides_rounded(form, segment);
+  if (light >= 0) return light > 0;
   light = side(form, segment->light);
   /* from outside or from the surface: not where the line turns away at once or misses the sphere */
   if (light >= 0 && (sign_of(ahead, form, segment, FC_DECIDE_PASS) <= 0 || sign_of(met, form, segment, FC_DECIDE_PASS) < 0))
@@ -241,4 +264,4 @@ const fc_kind fc_kind_sphere FC_ROM = {
     check,    memory, extent,      place,             fetch,            prepare,        test,             blocked,         facing, normal,
     side,     NULL,   depth_range, fc_sphere_project, fc_sphere_window, fc_sphere_draw, fc_sphere_shadow, fc_sphere_between,
     fc_sphere_hides,
-    fc_scan_each, bounds, NULL};
+    fc_sphere_strip, bounds, NULL};

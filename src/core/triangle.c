@@ -5,6 +5,7 @@
 #include "mesh.h"
 #include "scan_kinds.h"
 #include "tally.h"
+#include "transform.h"
 #include "view.h"
 
 static int check(const fc_scene *scene, const fc_shapes *shapes) {
@@ -84,45 +85,11 @@ static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
   return most;
 }
 
-/* fc_view_point in 64 bits: (row . v + constant) / 2^down, floor; false where it does not fit. */
-typedef struct transform {
-  int64_t constant[3];
-  uint8_t down;
-} transform;
-
-static bool find_transform(const fc_view *view, transform *to) {
-  /* round((row . v 2^fine - row . eye) / 2^s) = floor((row . v + floor((2^(s-1) - row . eye) / 2^fine)) / 2^(s - fine)) */
-  int32_t s = 30 + view->shift;
-  uint8_t i;
-  if (s < view->fine || s - view->fine > 62) return false;
-  to->down = (uint8_t)(s - view->fine);
-  for (i = 0; i < 3; i++) {
-    int64_t row[3];
-    fc_i128 c;
-    row[0] = view->row[i][0];
-    row[1] = view->row[i][1];
-    row[2] = view->row[i][2];
-    c = fc_i128_neg(fc_i128_dot(row, view->eye));
-    if (s > 0) c = fc_i128_add(c, fc_i128_shift_left(fc_i128_from(1), (uint8_t)(s - 1)));
-    c = fc_i128_floor_shift(c, view->fine);
-    /* a unit row times a vector below 3 2^30: below 2^62 */
-    if (fc_i128_bits(c) > 62) return false;
-    to->constant[i] = fc_i128_to_i64(c);
-  }
-  return true;
-}
-
-/* floor(v / 2^down), which fits 32 bits. */
-static inline int32_t cut(int64_t v, uint8_t down) {
-  uint32_t low = (uint32_t)(uint64_t)v;
-  if (down >= 32) return fc_floor_shift32(fc_high_word(v), (uint8_t)(down - 32));
-  return down == 0 ? fc_to_i32(low) : fc_to_i32(low >> down | (uint32_t)fc_high_word(v) << (32 - down));
-}
-
 static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
   fc_placed_vertex *placed = (fc_placed_vertex *)(void *)((fc_placed_mesh *)to + 1);
-  transform t;
-  bool quick = find_transform(view, &t);
+  fc_transform found;
+  const bool quick = fc_transform_find(view, &found);
+  const fc_transform t = found; /* one that no pointer leads to may stay in registers */
   uint16_t i;
   uint8_t j;
   for (i = 0; i < shapes->vertex_count; i++) {
@@ -130,12 +97,7 @@ static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
     fc_read_vertex(shapes, i, &v);
     placed[i].seen = 0;
     if (quick) {
-      for (j = 0; j < 3; j++) {
-        const int32_t *row = view->row[j];
-        /* below 2^61 2^0.8, and the constant's 2^62 */
-        int64_t sum = fc_product(row[0], v.x) + fc_product(row[1], v.y) + fc_product(row[2], v.z) + t.constant[j];
-        placed[i].p[j] = cut(sum, t.down);
-      }
+      fc_transform_point(view, &t, &v, placed[i].p);
     } else {
       int64_t p[3];
       (void)fc_view_point(view, &v, 0, p); /* within range: the grid was chosen for it */

@@ -294,6 +294,16 @@ static bool touches(const fc_scan *scan, const fc_planar *receiver, const edge_g
   return false;
 }
 
+/* Whether a triangle seen from the light darkens nothing that the mask shows, by both glances. */
+static FC_NOINLINE bool is_clear(const fc_scan *scan, fc_planar *receiver, const int32_t a[3][3], int8_t hidden) {
+  edge_glance edges[3];
+  if (!receiver->corners_known) fc_planar_find_corners(receiver);
+  if (misses(receiver, a, hidden, edges)) return true;
+  if (hidden == 0) return false;
+  if (!receiver->steps_known) fc_planar_find_steps(receiver);
+  return !touches(scan, receiver, edges, hidden);
+}
+
 bool fc_triangle_averted(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int64_t light[3]) {
   int32_t v[3][3], n[3];
   int64_t wide[3], volume;
@@ -310,7 +320,7 @@ bool fc_triangle_averted(const int32_t a[3], const int32_t b[3], const int32_t c
   return volume <= (cut ? norm1(v[2]) : 0);
 }
 
-void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
+void fc_triangle_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   int32_t a[3][3], n[3][3], more[3] = {0, 0, 0};
   int64_t volume;
   fc_facet facet;
@@ -324,12 +334,7 @@ void fc_triangle_shadow(fc_scan *scan, const fc_planar *receiver, const fc_kind 
     a[1][j] = (int32_t)form->u.triangle.vertex[1][j] - light;
     a[2][j] = (int32_t)form->u.triangle.vertex[2][j] - light;
   }
-  if (receiver->w.error >> 14 == 0) {
-    const int8_t hidden = form->u.triangle.hidden;
-    edge_glance edges[3];
-    if (misses(receiver, (const int32_t(*)[3])a, hidden, edges)) return;
-    if (hidden != 0 && !touches(scan, receiver, edges, hidden)) return;
-  }
+  if (receiver->w.error >> 14 == 0 && is_clear(scan, receiver, (const int32_t(*)[3])a, form->u.triangle.hidden)) return;
   sides = sides_of(receiver, form);
   if (!(sides & 1)) return;
   for (i = 0; i < 3; i++) {

@@ -11,6 +11,7 @@ import tempfile
 from support import Report
 
 FREESTANDING = {"stdint.h", "stddef.h", "stdbool.h", "string.h", "limits.h"}
+FIRMWARE_SHARED = {"controls.h", "firmware.h", "orbit.h", "pattern.h"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:<([^>\n]+)>|"([^"\n]+)"|(\S.*))', re.M)
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.S)
 SUFFIXES = {".c", ".h", ".cpp", ".hpp", ".cc", ".S"}
@@ -34,6 +35,17 @@ def own(name, directory):
     return "/" not in name and (directory / name).is_file()
 
 
+def shared_with_boards(root, path, name):
+    """Whether the simulator may include this header of a board: what the boards' demo shares with 'fixcast show', and, in the
+    files X_PORT.cpp, the headers PORT_Y.h of that port."""
+    if path.name.startswith("oracle"):
+        return False
+    if name in FIRMWARE_SHARED:
+        return (root / "src" / "firmware" / name).is_file()
+    port = path.stem.rpartition("_")[2]
+    return name.startswith(port + "_") and (root / "src" / "port" / port / name).is_file()
+
+
 def reason(root, path, name, system):
     """Why this file must not include this name, or None."""
     parts = path.relative_to(root).parts
@@ -53,21 +65,38 @@ def reason(root, path, name, system):
         if public or (system and name in FREESTANDING) or (not system and own(name, path.parent)):
             return None
         return "the core is freestanding and knows only itself"
+    if parts[:2] == ("src", "extra"):
+        if public or (system and name in FREESTANDING):
+            return None
+        if not system and (own(name, path.parent) or own(name, root / "src" / "core")):
+            return None
+        return "the extras are freestanding and know only the core"
     if parts[:2] == ("src", "panel"):
         if public or (system and name in FREESTANDING) or (not system and own(name, path.parent)):
             return None
         return "panels know public headers only: no port, no core internals"
+    if parts[:2] == ("src", "firmware"):
+        scene = not system and own(name, root / "host_sim" / "scenes")
+        if public or scene or (system and name in FREESTANDING) or (not system and own(name, path.parent)):
+            return None
+        return "firmware knows public headers, scenes as tables and itself: no port, no core or panel internals"
     if parts[:2] == ("src", "port"):
+        if not system and name == "firmware.h" and (root / "src" / "firmware" / name).is_file():
+            return None
         return None if system or public or own(name, path.parent) else "a port knows no other port and no internals"
+    if parts[:2] == ("tests", "panel") and path.name.startswith("virtual_") and path.stem != "virtual_bus":
+        return None if (system and not public) or own(name, path.parent) else "virtual panels are an oracle: nothing of fixcast"
     if parts[0] == "host_sim":
         if path.name.startswith("oracle") and public:
             return "the oracle shares nothing with the core"
+        if not system and shared_with_boards(root, path, name):
+            return None
         return None if system or public or own(name, path.parent) else "the simulator uses public headers only"
     return None
 
 
 def check(root, report):
-    files = [path for top in ("include", "src", "host_sim") for path in sorted((root / top).rglob("*"))
+    files = [path for top in ("include", "src", "host_sim", "tests/panel") for path in sorted((root / top).rglob("*"))
              if path.suffix in SUFFIXES]
     for path in files:
         report.checked += 1
@@ -83,11 +112,23 @@ def self_test():
         "include/fixcast/config.h": "#include <avr/pgmspace.h>\n",
         "src/core/inner.h": "",
         "src/core/core.c": '#include "inner.h"\n#include <string.h>\n#include "fixcast/a.h"\n',
+        "src/extra/more.h": "",
+        "src/extra/more.c": '#include "more.h"\n#include "inner.h"\n#include <stdint.h>\n#include "fixcast/a.h"\n',
         "src/panel/panel.c": '#include "fixcast/a.h"\n',
+        "src/firmware/firmware.h": "",
+        "src/firmware/run.h": "",
+        "src/firmware/orbit.h": "",
+        "src/firmware/run.c": '#include "firmware.h"\n#include "run.h"\n#include "fixcast/a.h"\n#include "scene.h"\n',
         "src/port/one/one.h": "",
-        "src/port/one/main.c": '#include "one.h"\n#include <linux/spi/spidev.h>\n',
+        "src/port/one/one_bus.h": "",
+        "host_sim/pins_one.cpp": '#include "one_bus.h"\n#include "orbit.h"\n',
+        "src/port/one/main.c": '#include "one.h"\n#include <linux/spi/spidev.h>\n#include "firmware.h"\n',
         "src/port/two/two.h": "",
+        "tests/panel/virtual_one.h": "#include <stdint.h>\n",
+        "tests/panel/virtual_one.c": '#include "virtual_one.h"\n#include <stdio.h>\n',
+        "tests/panel/virtual_bus.c": '#include "virtual_one.h"\n#include "fixcast/a.h"\n',
         "host_sim/main.cpp": '#include <vector>\n#include "fixcast/a.h"\n#include "oracle.h"\n',
+        "host_sim/scenes/scene.h": "",
         "host_sim/oracle.h": "// #include \"fixcast/a.h\"\n",
     }
     broken = [
@@ -97,6 +138,11 @@ def self_test():
         ("src/core/core.c", '#include "../panel/panel.h"\n'),
         ("src/core/core.c", '#include "panel.h"\n'),
         ("src/core/core.c", "# include HEADER\n"),
+        ("src/core/core.c", '#include "more.h"\n'),
+        ("src/extra/more.c", "#include <stdlib.h>\n"),
+        ("src/extra/more.c", '#include "one.h"\n'),
+        ("src/panel/panel.c", '#include "more.h"\n'),
+        ("host_sim/main.cpp", '#include "more.h"\n'),
         ("include/fixcast/a.h", "#include <stdlib.h>\n"),
         ("include/fixcast/a.h", '#include "inner.h"\n'),
         ("include/fixcast/a.h", '#include "fixcast/missing.h"\n'),
@@ -104,9 +150,26 @@ def self_test():
         ("src/panel/panel.c", '#include "inner.h"\n'),
         ("src/panel/panel.c", '#include "one.h"\n'),
         ("src/panel/panel.c", "#include <linux/spi/spidev.h>\n"),
+        ("src/firmware/run.c", '#include "inner.h"\n'),
+        ("src/firmware/run.c", '#include "one.h"\n'),
+        ("src/firmware/run.c", '#include "oracle.h"\n'),
+        ("src/firmware/run.c", "#include <stdio.h>\n"),
+        ("src/core/core.c", '#include "firmware.h"\n'),
+        ("src/panel/panel.c", '#include "firmware.h"\n'),
+        ("src/port/one/main.c", '#include "run.h"\n'),
+        ("src/port/one/main.c", '#include "inner.h"\n'),
         ("src/port/one/main.c", '#include "two.h"\n'),
         ("src/port/one/main.c", '#include "../two/two.h"\n'),
+        ("tests/panel/virtual_one.c", '#include "fixcast/a.h"\n'),
+        ("tests/panel/virtual_one.c", "#include <fixcast/a.h>\n"),
+        ("tests/panel/virtual_one.h", '#include "../../src/core/inner.h"\n'),
         ("host_sim/main.cpp", '#include "inner.h"\n'),
+        ("host_sim/main.cpp", '#include "one_bus.h"\n'),
+        ("host_sim/main.cpp", '#include "run.h"\n'),
+        ("host_sim/pins_one.cpp", '#include "one.h"\n'),
+        ("host_sim/pins_one.cpp", '#include "two.h"\n'),
+        ("host_sim/oracle.h", '#include "orbit.h"\n'),
+        ("src/port/two/two.h", '#include "one_bus.h"\n'),
         ("host_sim/main.cpp", '#include "../src/core/inner.h"\n'),
         ("host_sim/oracle.h", '#include "fixcast/a.h"\n'),
     ]

@@ -13,7 +13,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-LONGEST_INPUT = {"nff": 2000, "scene": 1024, "strips": 400}
+LONGEST_INPUT = {"nff": 2000, "obj": 2000, "view": 300, "scene": 1024, "strips": 400}
 HANG_SECONDS = 20  # sanitizers and a busy machine included
 
 
@@ -39,8 +39,8 @@ def fuzz(target, build, seconds):
     failed = run([*program, *inputs], log)
     if not failed and seconds > 0:
         options = [f"-max_total_time={seconds}", f"-max_len={LONGEST_INPUT[target]}", "-print_final_stats=1"]
-        if target == "nff":
-            options.append(f"-dict={HERE / 'nff.dict'}")
+        if (HERE / f"{target}.dict").is_file():
+            options.append(f"-dict={HERE / target}.dict")
         failed = run([*program, *options, found, corpus], log)
     text = log.read_text(encoding="utf-8", errors="replace")
     if failed:

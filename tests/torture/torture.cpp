@@ -91,7 +91,8 @@ bool load(const std::string &path, uint64_t print_of_run, size_t *prefix, uint64
 std::vector<const Family *> all_families() {
   std::vector<const Family *> all;
   for (const auto *list : {&triangle_families, &closed_mesh_families, &sphere_families, &secondary_families,
-                           &depth_families, &coherence_families, &engine_families, &number_families})
+                           &depth_families, &coherence_families, &engine_families, &number_families,
+                           &mirror_families})
     for (const Family &family : *list) all.push_back(&family);
   std::sort(all.begin(), all.end(), [](const Family *a, const Family *b) { return a->number < b->number; });
   return all;

@@ -1,8 +1,12 @@
 /* The same answers for the same question: coincident shapes, moved, scaled and turned scenes, extreme
- * fields (35, 39, 40). */
+ * fields, corners of pixels (35, 38, 39, 40). */
 #include <algorithm>
 
 #include "trial.h"
+
+extern "C" {
+#include "view.h"
+}
 
 using oracle::plane;
 using oracle::Shape;
@@ -259,10 +263,68 @@ uint64_t extremes(Random &random) {
   return 6;
 }
 
+/* ---- 38 ---- */
+
+/* The corner that four pixels share, half a pixel from each of their centres: the same direction to the bit, and what is seen along it is
+ * what exact arithmetic sees. */
+uint64_t shared_corners(Random &random) {
+  uint16_t width = static_cast<uint16_t>(random.within(2, 300)),
+           height = static_cast<uint16_t>(random.within(2, 300));
+  ExactCamera camera = {{0, 0, 0}, 2, 1, 1, width, height, static_cast<uint32_t>(random.within(1, 1000))};
+  int bits = static_cast<int>(random.within(4, 24));
+  std::vector<Shape> shapes;
+  /* one corner's ray: tangent to a sphere, along a triangle's edge; the rest anywhere */
+  uint16_t x = static_cast<uint16_t>(random.within(1, width - 1)),
+           y = static_cast<uint16_t>(random.within(1, height - 1));
+  Vec to = {2 * x - static_cast<int64_t>(width), static_cast<int64_t>(height) - 2 * y,
+            static_cast<int64_t>(camera.focal)};
+  Vec p = to * random.within(1, 1 << random.within(1, 12)), across = some_normal(random, to);
+  shapes.push_back(triangle(p + across, p - across, p + random.direction(bits)));
+  shapes.push_back(sphere(p + random.direction(bits), random.within(1, INT64_C(1) << bits)));
+  shapes.push_back(sphere(p + random.direction(bits), random.within(1, INT64_C(1) << bits)));
+  if (random.flip()) shapes.push_back(plane(random.direction(6), random.within(-1000, 1000)));
+  for (const Shape &shape : shapes)
+    if (!fits(shape.a) || !fits(shape.b) || !fits(shape.c)) return 0;
+  Scene scene(shapes);
+  Frame frame(scene, {}, to_core(camera), width, height, FC_OFFSET_EXACT);
+  uint64_t checked = 0;
+  for (int tries = 0; tries < 8; tries++) {
+    Vec corner[4];
+    for (int i = 0; i < 4; i++) {
+      int64_t d[3], beside[3], below[3];
+      uint16_t column = static_cast<uint16_t>(x - (i & 1)), row = static_cast<uint16_t>(y - (i >> 1));
+      fc_view_direction(&frame.frame, column, row, d);
+      fc_view_direction(&frame.frame, static_cast<uint16_t>(column + 1), row, beside);
+      fc_view_direction(&frame.frame, column, static_cast<uint16_t>(row + 1), below);
+      /* a pixel's step is whole and even: half of it is a half pixel */
+      int64_t right = beside[0] - d[0], down = below[1] - d[1];
+      if (right <= 0 || down >= 0 || (right & 1) || (down & 1))
+        fail("steps of a pixel: %lld, %lld", static_cast<long long>(right), static_cast<long long>(down));
+      corner[i] = {d[0] + (i & 1 ? right / 2 : -right / 2), d[1] + (i >> 1 ? down / 2 : -down / 2), d[2]};
+      if (!(corner[i] == corner[0]))
+        fail("corner (%u, %u) is %s from one pixel, %s from another%s", x, y, oracle::text(corner[0]).c_str(),
+             oracle::text(corner[i]).c_str(), frame.text().c_str());
+    }
+    const int64_t eye[3] = {0, 0, 0}, direction[3] = {corner[0].x, corner[0].y, corner[0].z};
+    fc_space space = fc_space_of_frame(&frame.frame);
+    oracle::Root root;
+    uint16_t seen = fc_space_nearest(&space, eye, direction, 0, UINT64_MAX, nullptr);
+    int expected = oracle::nearest(frame.shapes, {0, 0, 0}, corner[0], 0, UINT64_MAX, &root, true);
+    if ((seen == 0xffff ? -1 : seen) != expected)
+      fail("corner (%u, %u): primitive %d is right (%d)%s", x, y, expected, seen == 0xffff ? -1 : seen,
+           frame.text().c_str());
+    checked += 5;
+    x = static_cast<uint16_t>(random.within(1, width - 1));
+    y = static_cast<uint16_t>(random.within(1, height - 1));
+  }
+  return checked;
+}
+
 } // namespace
 
 const std::vector<Family> coherence_families = {
     {35, "coincident shapes", 500000, 64, coincident},
+    {38, "corners that pixels share", 200000, 75, shared_corners},
     {39, "moved, scaled, turned", 500000, 45, moved_scaled_turned},
     {40, "all-maximum magnitudes", 1000000, 38, extremes},
 };

@@ -36,7 +36,7 @@ struct Family {
 };
 
 extern const std::vector<Family> triangle_families, closed_mesh_families, sphere_families, secondary_families,
-    coherence_families, depth_families, engine_families, number_families;
+    coherence_families, depth_families, engine_families, number_families, mirror_families;
 
 /* The core's scene of a list of shapes, in the same order; planes' k must be a whole number of
  * coordinates. */

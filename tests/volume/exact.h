@@ -18,12 +18,17 @@ struct Point {
 
 inline Q whole(int64_t v) { return Q(static_cast<long>(v)); }
 inline Point point(Vec v) { return {{whole(v.x), whole(v.y), whole(v.z)}}; }
-inline Point operator+(const Point &a, const Point &b) { return {{a.x[0] + b.x[0], a.x[1] + b.x[1], a.x[2] + b.x[2]}}; }
-inline Point operator-(const Point &a, const Point &b) { return {{a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]}}; }
+inline Point operator+(const Point &a, const Point &b) {
+  return {{a.x[0] + b.x[0], a.x[1] + b.x[1], a.x[2] + b.x[2]}};
+}
+inline Point operator-(const Point &a, const Point &b) {
+  return {{a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]}};
+}
 inline Point operator*(const Point &a, const Q &k) { return {{a.x[0] * k, a.x[1] * k, a.x[2] * k}}; }
 inline Q dot(const Point &a, const Point &b) { return a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2]; }
 inline Point cross(const Point &a, const Point &b) {
-  return {{a.x[1] * b.x[2] - a.x[2] * b.x[1], a.x[2] * b.x[0] - a.x[0] * b.x[2], a.x[0] * b.x[1] - a.x[1] * b.x[0]}};
+  return {{a.x[1] * b.x[2] - a.x[2] * b.x[1], a.x[2] * b.x[0] - a.x[0] * b.x[2],
+           a.x[0] * b.x[1] - a.x[1] * b.x[0]}};
 }
 
 /* A closed half-space n . p <= k. */

@@ -31,7 +31,8 @@ Turn about(Vec axis, Real angle) {
 void close(const char *what, Turn got, Turn exact, Real bound) {
   Real worst = fmaxl(fmaxl(fabsl(got.w - exact.w), fabsl(got.x - exact.x)),
                      fmaxl(fabsl(got.y - exact.y), fabsl(got.z - exact.z)));
-  if (!(worst <= bound)) wrong("%s: a component is off by %.3Lf * 2^-30 (bound %.3Lf)", what, worst / ulp, bound / ulp);
+  if (!(worst <= bound))
+    wrong("%s: a component is off by %.3Lf * 2^-30 (bound %.3Lf)", what, worst / ulp, bound / ulp);
 }
 void unit(const fc_rotation &r) {
   Real off = fabsl(length(real(r)) - 1);
@@ -63,7 +64,8 @@ Vec any_axis(Random &random) {
 fc_rotation any_rotation(Random &random) {
   fc_rotation r;
   fc_vec3 axis = to_core(any_axis(random));
-  if (fc_rotation_about(&r, &axis, static_cast<uint16_t>(random.next())) != FC_OK) wrong("fc_rotation_about refuses");
+  if (fc_rotation_about(&r, &axis, static_cast<uint16_t>(random.next())) != FC_OK)
+    wrong("fc_rotation_about refuses");
   return r;
 }
 
@@ -94,12 +96,14 @@ void quarter_turns_are_exact(Random &) {
   if (fc_rotation_about(&r, &z, 0x4000) != FC_OK || fc_rotation_matrix(&m, &r) != FC_OK) wrong("refused");
   const int32_t quarter[3][3] = {{0, -FC_ONE_Q30, 0}, {FC_ONE_Q30, 0, 0}, {0, 0, FC_ONE_Q30}};
   for (int i = 0; i < 9; i++)
-    if (std::abs(m.row[i / 3][i % 3] - quarter[i / 3][i % 3]) > 1) wrong("counter-clockwise quarter about z: entry %d", i);
+    if (std::abs(m.row[i / 3][i % 3] - quarter[i / 3][i % 3]) > 1)
+      wrong("counter-clockwise quarter about z: entry %d", i);
 }
 
 void about_an_axis(Random &random) {
   Vec axis = any_axis(random);
-  uint16_t angle = static_cast<uint16_t>(random.flip() ? random.next() : static_cast<uint64_t>(random.any_size(6)));
+  uint16_t angle =
+      static_cast<uint16_t>(random.flip() ? random.next() : static_cast<uint64_t>(random.any_size(6)));
   fc_vec3 a = to_core(axis);
   fc_rotation r;
   int error = fc_rotation_about(&r, &a, angle);
@@ -111,28 +115,41 @@ void about_an_axis(Random &random) {
 /* Takes a to b by the shortest way: exact integers say what |a||b| cos and the axis are. */
 void between_directions(Random &random) {
   Vec a = any_axis(random), b = any_axis(random);
-  switch (random.within(0, 4)) {
-    case 0: b = a + random.vec(2); break;  /* next to it */
-    case 1: b = random.vec(2) - a; break;  /* next to its opposite */
+  switch (random.within(0, 5)) {
+    case 3: { /* next to each other, or to opposite, as long vectors can be: Fibonacci's numbers, |a x b| = 1 */
+      int64_t f[3] = {1, 1, 2}, n = random.within(0, 40), k = random.within(0, 2),
+              side = random.flip() ? 1 : -1;
+      for (; n > 0; n--) f[0] = f[1], f[1] = f[2], f[2] = f[0] + f[1];
+      a = b = {0, 0, 0};
+      a[static_cast<int>(k)] = f[0], a[static_cast<int>((k + 1) % 3)] = f[1];
+      b[static_cast<int>(k)] = side * f[1], b[static_cast<int>((k + 1) % 3)] = side * f[2];
+      break;
+    }
+    case 0: b = a + random.vec(2); break; /* next to it */
+    case 1: b = random.vec(2) - a; break; /* next to its opposite */
     case 2: a = random.direction(8), b = a * random.within(1, 100000); break;
     default: break;
   }
   if (is_zero(b) || !fits(b) || !fits(a)) return;
   fc_vec3 from = to_core(a), to = to_core(b);
   fc_rotation r, back;
-  if (fc_rotation_between(&r, &from, &to) != FC_OK || fc_rotation_between(&back, &to, &from) != FC_OK) wrong("refused");
+  if (fc_rotation_between(&r, &from, &to) != FC_OK || fc_rotation_between(&back, &to, &from) != FC_OK)
+    wrong("refused");
   unit(r);
   __int128 cx = static_cast<__int128>(a.y) * b.z - static_cast<__int128>(a.z) * b.y,
            cy = static_cast<__int128>(a.z) * b.x - static_cast<__int128>(a.x) * b.z,
            cz = static_cast<__int128>(a.x) * b.y - static_cast<__int128>(a.y) * b.x,
-           d = static_cast<__int128>(a.x) * b.x + static_cast<__int128>(a.y) * b.y + static_cast<__int128>(a.z) * b.z;
+           d = static_cast<__int128>(a.x) * b.x + static_cast<__int128>(a.y) * b.y +
+               static_cast<__int128>(a.z) * b.z;
   if (cx == 0 && cy == 0 && cz == 0 && d < 0) { /* opposite: half a turn across */
-    Real across = (r.x * static_cast<Real>(a.x) + r.y * static_cast<Real>(a.y) + r.z * static_cast<Real>(a.z)) /
-                  (FC_ONE_Q30 * sqrtl(static_cast<Real>(dot(a, a))));
+    Real across =
+        (r.x * static_cast<Real>(a.x) + r.y * static_cast<Real>(a.y) + r.z * static_cast<Real>(a.z)) /
+        (FC_ONE_Q30 * sqrtl(static_cast<Real>(dot(a, a))));
     if (r.w != 0 || !(fabsl(across) <= 2 * ulp)) wrong("opposites: axis not across, w %d", r.w);
     return;
   }
-  if (back.w != r.w || back.x != -r.x || back.y != -r.y || back.z != -r.z) wrong("the way back is not the inverse");
+  if (back.w != r.w || back.x != -r.x || back.y != -r.y || back.z != -r.z)
+    wrong("the way back is not the inverse");
   /* the half angle from its tangent's double: atan2 is good where the cosine formula cancels */
   Real c[3] = {static_cast<Real>(cx), static_cast<Real>(cy), static_cast<Real>(cz)};
   Real size = hypotl(hypotl(c[0], c[1]), c[2]), half = atan2l(size, static_cast<Real>(d)) / 2, s = sinl(half);
@@ -166,11 +183,18 @@ void long_products_stay_rotations(Random &random) {
   }
   fc_matrix m;
   if (fc_rotation_matrix(&m, &r) != FC_OK) wrong("matrix refused");
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) {
+      Real rows = -(i == j);
+      for (int k = 0; k < 3; k++) rows += (m.row[i][k] * ulp) * (m.row[j][k] * ulp);
+      if (!(fabsl(rows) <= 2 * ulp)) wrong("M M' - I, entry %d %d: %.3Lf * 2^-30", i, j, rows / ulp);
+    }
 }
 
 void inverse_restores_to_the_bit(Random &random) {
   fc_rotation r = any_rotation(random), back, both;
-  if (fc_rotation_invert(&back, &r) != FC_OK || fc_rotation_compose(&both, &back, &r) != FC_OK) wrong("refused");
+  if (fc_rotation_invert(&back, &r) != FC_OK || fc_rotation_compose(&both, &back, &r) != FC_OK)
+    wrong("refused");
   if (both.w != FC_ONE_Q30 || both.x != 0 || both.y != 0 || both.z != 0)
     wrong("(%d, %d, %d, %d)", both.w, both.x, both.y, both.z);
 }
@@ -215,26 +239,35 @@ void matrices_and_points(Random &random) {
   }
   if (error != FC_OK && (error != FC_ERR_COORDINATE || worst_reach < static_cast<Real>(coordinate_max) - 8))
     wrong("points in range refused: %d", error);
-  if (error == FC_OK && worst_reach > static_cast<Real>(coordinate_max) + 1) wrong("points out of range accepted");
+  if (error == FC_OK && worst_reach > static_cast<Real>(coordinate_max) + 1)
+    wrong("points out of range accepted");
 }
 
 void bad_arguments_are_refused(Random &) {
   const fc_vec3 zero = {0, 0, 0}, x = {1, 0, 0}, far = {INT32_C(0x40000001), 0, 0}, low = {INT32_MIN, 0, 0};
   fc_rotation r = {1, 2, 3, 4};
-  const fc_rotation none = FC_ROTATION_NONE, shorter = {FC_ONE_Q30 - 16, 0, 0, 0}, wild = {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
+  const fc_rotation none = FC_ROTATION_NONE, shorter = {FC_ONE_Q30 - 16, 0, 0, 0},
+                    wild = {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
   fc_matrix m = {};
   fc_vec3 p[2] = {{1, 2, 3}, {FC_COORDINATE_MAX, FC_COORDINATE_MAX, 0}}, q[2] = {{9, 9, 9}, {9, 9, 9}};
   if (fc_rotation_about(nullptr, &x, 0) != FC_ERR_NULL || fc_rotation_about(&r, nullptr, 0) != FC_ERR_NULL ||
-      fc_rotation_about(&r, &zero, 0) != FC_ERR_DIRECTION || fc_rotation_about(&r, &far, 0) != FC_ERR_COORDINATE ||
-      fc_rotation_about(&r, &low, 0) != FC_ERR_COORDINATE || fc_rotation_between(&r, &x, &zero) != FC_ERR_DIRECTION ||
-      fc_rotation_between(&r, &far, &x) != FC_ERR_COORDINATE || fc_rotation_compose(&r, &wild, &none) != FC_ERR_ROTATION ||
-      fc_rotation_compose(&r, &none, &shorter) != FC_ERR_ROTATION || fc_rotation_invert(&r, &wild) != FC_ERR_ROTATION ||
-      fc_rotation_matrix(&m, &shorter) != FC_ERR_ROTATION || r.w != 1 || r.x != 2 || r.y != 3 || r.z != 4 || m.row[0][0] != 0)
+      fc_rotation_about(&r, &zero, 0) != FC_ERR_DIRECTION ||
+      fc_rotation_about(&r, &far, 0) != FC_ERR_COORDINATE ||
+      fc_rotation_about(&r, &low, 0) != FC_ERR_COORDINATE ||
+      fc_rotation_between(&r, &x, &zero) != FC_ERR_DIRECTION ||
+      fc_rotation_between(&r, &far, &x) != FC_ERR_COORDINATE ||
+      fc_rotation_compose(&r, &wild, &none) != FC_ERR_ROTATION ||
+      fc_rotation_compose(&r, &none, &shorter) != FC_ERR_ROTATION ||
+      fc_rotation_invert(&r, &wild) != FC_ERR_ROTATION ||
+      fc_rotation_matrix(&m, &shorter) != FC_ERR_ROTATION || r.w != 1 || r.x != 2 || r.y != 3 || r.z != 4 ||
+      m.row[0][0] != 0)
     wrong("a bad argument was taken, or something was written");
   fc_rotation eighth;
   const fc_vec3 z = {0, 0, 1};
-  if (fc_rotation_about(&eighth, &z, 0x2000) != FC_OK || fc_rotation_matrix(&m, &eighth) != FC_OK) wrong("refused");
-  if (fc_rotate_points(q, p, 2, &m, nullptr) != FC_ERR_COORDINATE || q[0].x != 9) wrong("a point left the range, or was written");
+  if (fc_rotation_about(&eighth, &z, 0x2000) != FC_OK || fc_rotation_matrix(&m, &eighth) != FC_OK)
+    wrong("refused");
+  if (fc_rotate_points(q, p, 2, &m, nullptr) != FC_ERR_COORDINATE || q[0].x != 9)
+    wrong("a point left the range, or was written");
   if (fc_rotate_points(q, &low, 1, &m, nullptr) != FC_ERR_COORDINATE) wrong("a point out of range");
   m.row[2][1] = INT32_MIN;
   if (fc_rotate_points(q, p, 1, &m, nullptr) != FC_ERR_ROTATION) wrong("a matrix beyond 1");

@@ -54,6 +54,13 @@ struct Trial {
   void (*run)(Random &random);
 };
 
+/* Sanitizers make everything some ten times slower. */
+#ifdef __SANITIZE_ADDRESS__
+constexpr uint64_t trials_share = 20;
+#else
+constexpr uint64_t trials_share = 1;
+#endif
+
 /* PROGRAM [--only NAME --seed S]: all trials, or one of them again. */
 inline int run_trials(int argc, char **argv, const std::vector<Trial> &trials) {
   const char *only = nullptr;
@@ -70,7 +77,8 @@ inline int run_trials(int argc, char **argv, const std::vector<Trial> &trials) {
     if (only != nullptr && std::strcmp(only, trial.name) != 0) continue;
     ran++;
     answers() = Answers();
-    uint64_t i = only != nullptr ? seed : 0, end = only != nullptr ? seed + 1 : trial.count;
+    uint64_t i = only != nullptr ? seed : 0,
+             end = only != nullptr ? seed + 1 : (trial.count + trials_share - 1) / trials_share;
     for (; i < end; i++) {
       Random random = {i};
       try {
@@ -86,7 +94,9 @@ inline int run_trials(int argc, char **argv, const std::vector<Trial> &trials) {
     if (i != end) continue;
     const uint64_t yes = answers().yes, no = answers().no;
     std::printf("%10llu  %s", static_cast<unsigned long long>(i), trial.name);
-    if (yes + no > 0) std::printf(" (%llu yes, %llu no)", static_cast<unsigned long long>(yes), static_cast<unsigned long long>(no));
+    if (yes + no > 0)
+      std::printf(" (%llu yes, %llu no)", static_cast<unsigned long long>(yes),
+                  static_cast<unsigned long long>(no));
     std::printf("\n");
     std::fflush(stdout);
     if (only == nullptr && yes + no > 0 && (yes < (yes + no) / 20 || no < (yes + no) / 20)) {

@@ -1,0 +1,63 @@
+/*
+ * What the interactive view shows, without any window: a scene, a camera that moves, and a choice of what to see of it.
+ */
+#ifndef FIXCAST_HOST_VIEWER_H
+#define FIXCAST_HOST_VIEWER_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "fixcast/panel.h"
+#include "image.h"
+#include "scene_options.h"
+#include "view_camera.h"
+
+namespace host {
+
+class Viewer {
+public:
+  /* `panel` may be NULL. Throws UserError when the core refuses the scene. */
+  Viewer(LoadedScene scene, const fc_panel *panel);
+
+  int width() const { return scene_.width; }
+  int height() const { return scene_.height; }
+  ViewCamera &camera() { return camera_; }
+
+  /* A name of layer_names(). */
+  void show(const std::string &layer) { layer_ = layer; }
+  void next_profile();
+  void next_offset(); /* exact shadows, none (acne), an epsilon of 1/256 of the scene */
+  void toggle_panel(); /* what the panel shows, where there is one */
+
+  /* Renders. Where the camera ended up inside of something degenerate, the picture stays as it was and status() says why. */
+  const Image8 &render();
+
+  /* "s1.nff 128x128, color, exact profile, exact shadows", and in the error layer the largest error. */
+  const std::string &status() const { return status_; }
+  const std::string &layer() const { return layer_; }
+
+private:
+  struct Box {
+    std::size_t shape;
+    std::array<std::int64_t, 3> low, high;
+  };
+
+  void guard_back_faces();
+  Image8 draw();
+
+  LoadedScene scene_;
+  const fc_panel *panel_;
+  bool on_panel_ = false;
+  ViewCamera camera_;
+  std::string layer_ = "color", status_;
+  int offset_ = 0;
+  std::vector<Box> closed_; /* tables whose back faces are left out, as long as the eye is outside */
+  Image8 picture_;
+};
+
+} // namespace host
+
+#endif
