@@ -448,8 +448,9 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
   uint16_t diffuse[3], ambient[3];
   uint8_t i, level[3];
   FC_READ_ONE(&material, frame->scene.materials + scan->form->material);
-  scan->light = frame->light;
-  if (frame->light == FC_LIGHT_NONE && flat_tint(frame, tint, &material, scan->target->format)) return;
+  scan->light = material.layer_count == 0 ? frame->light : FC_LIGHT_MANY;
+  tint->transfer = frame->options.transfer;
+  if (scan->light == FC_LIGHT_NONE && tint->transfer == NULL && flat_tint(frame, tint, &material, scan->target->format)) return;
   diffuse[0] = material.diffuse.r;
   diffuse[1] = material.diffuse.g;
   diffuse[2] = material.diffuse.b;
