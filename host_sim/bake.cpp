@@ -12,12 +12,8 @@
 namespace host {
 namespace {
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /* Beyond 16 bits a plain constant would depend on the chip's int. */
 std::string c_int(std::int32_t v) {
@@ -35,51 +31,34 @@ std::string c_u16(std::uint16_t v) {
   return v <= 32767 ? text : text + "u";
 }
 
-std::string c_vec3(const fc_vec3 &v) {
-  return "{" + c_int(v.x) + ", " + c_int(v.y) + ", " + c_int(v.z) + "}";
-}
-std::string c_rgb(const fc_rgb &c) {
-  return "{" + c_u16(c.r) + ", " + c_u16(c.g) + ", " + c_u16(c.b) + "}";
-}
+std::string c_vec3(const fc_vec3 &v) { return "{" + c_int(v.x) + ", " + c_int(v.y) + ", " + c_int(v.z) + "}"; }
+std::string c_rgb(const fc_rgb &c) { return "{" + c_u16(c.r) + ", " + c_u16(c.g) + ", " + c_u16(c.b) + "}"; }
 
-std::string c_item(std::uint16_t v) {
-  return c_u16(v);
-}
-std::string c_item(const fc_bvh_node &n) {
-  return "{{" + c_uint(n.axis[0]) + ", " + c_uint(n.axis[1]) + ", " + c_uint(n.axis[2]) + "}}";
-}
-std::string c_item(const fc_vec3 &v) {
-  return c_vec3(v);
-}
-std::string c_item(const fc_material &m) {
-  return "{" + c_rgb(m.diffuse) + "}";
-}
+std::string c_item(std::uint16_t v) { return c_u16(v); }
+std::string c_item(const fc_bvh_node &n) { return "{{" + c_uint(n.axis[0]) + ", " + c_uint(n.axis[1]) + ", " + c_uint(n.axis[2]) + "}}"; }
+std::string c_item(const fc_vec3 &v) { return c_vec3(v); }
+std::string c_item(const fc_material &m) { return "{" + c_rgb(m.diffuse) + "}"; }
 std::string c_item(const fc_sphere &s) {
-  return "{" + c_vec3(s.center) + ", " + c_int(s.radius) + ", " + c_u16(s.material) + ", " + c_u16(s.object) +
-         "}";
+  return "{" + c_vec3(s.center) + ", " + c_int(s.radius) + ", " + c_u16(s.material) + ", " + c_u16(s.object) + "}";
 }
 std::string c_item(const fc_plane &p) {
-  return "{" + c_vec3(p.normal) + ", " + c_int(p.d) + ", " + c_int(p.d_exponent) + ", " + c_u16(p.material) +
-         ", " + c_u16(p.object) + "}";
+  return "{" + c_vec3(p.normal) + ", " + c_int(p.d) + ", " + c_int(p.d_exponent) + ", " + c_u16(p.material) + ", " + c_u16(p.object) + "}";
 }
 std::string c_item(const fc_triangle &t) {
-  return "{{" + c_u16(t.vertex[0]) + ", " + c_u16(t.vertex[1]) + ", " + c_u16(t.vertex[2]) + "}, " +
-         c_u16(t.material) + ", " + c_u16(t.object) + "}";
+  return "{{" + c_u16(t.vertex[0]) + ", " + c_u16(t.vertex[1]) + ", " + c_u16(t.vertex[2]) + "}, " + c_u16(t.material) + ", " +
+         c_u16(t.object) + "}";
 }
 std::string c_item(const fc_light &l) {
-  return "{" + c_vec3(l.position) + ", " + c_rgb(l.intensity) + ", " + c_int(l.exponent) + ", " +
-         c_int(l.intensity_exponent) + ", " + c_int(l.inverse_square) + "}";
+  return "{" + c_vec3(l.position) + ", " + c_rgb(l.intensity) + ", " + c_int(l.exponent) + ", " + c_int(l.intensity_exponent) + ", " +
+         c_int(l.inverse_square) + "}";
 }
 
 /* One table, and a blank line; nothing when it would be empty, which C does not allow. */
 template <typename T>
-std::string c_table(const char *type, const std::string &name, const char *fields,
-                    const std::vector<T> &table) {
+std::string c_table(const char *type, const std::string &name, const char *fields, const std::vector<T> &table) {
   if (table.empty()) return "";
-  std::string text =
-      "/* " + std::string(fields) + " */\nstatic const " + type + " " + name + "[] FC_ROM = {\n";
-  for (const T &item : table)
-    text += "  " + c_item(item) + ",\n";
+  std::string text = "/* " + std::string(fields) + " */\nstatic const " + type + " " + name + "[] FC_ROM = {\n";
+  for (const T &item : table) text += "  " + c_item(item) + ",\n";
   return text + "};\n\n";
 }
 
@@ -114,15 +93,13 @@ std::string c_bvh(const std::string &name, const CoreScene &core) {
   text += c_table("uint16_t", name + "_order", "primitives, leaf by leaf", std::vector<std::uint16_t>(bvh.order, bvh.order + bvh.count));
   text += "static const fc_bvh " + name + "_bvh FC_ROM = {\n  .kind = &fc_bvh_balanced,\n";
   if (nodes > 0) text += "  .nodes = " + name + "_nodes,\n  .order = " + name + "_order,\n";
-  return text + "  .origin = " + c_vec3(bvh.origin) + ",\n  .count = " + c_u16(bvh.count) + ",\n  .shift = " +
-         std::to_string(bvh.shift) + ",\n  .depth = " + std::to_string(bvh.depth) + ",\n};\n\n";
+  return text + "  .origin = " + c_vec3(bvh.origin) + ",\n  .count = " + c_u16(bvh.count) + ",\n  .shift = " + std::to_string(bvh.shift) +
+         ",\n  .depth = " + std::to_string(bvh.depth) + ",\n};\n\n";
 }
 
 /* Pointer and count of a table that may be missing. */
-std::string c_reference(const std::string &field, const std::string &count, const std::string &table,
-                        bool empty) {
-  return "  ." + field + " = " + (empty ? "NULL" : table) + ",\n  ." + count + " = " +
-         (empty ? "0" : "FC_COUNT_OF(" + table + ")") + ",\n";
+std::string c_reference(const std::string &field, const std::string &count, const std::string &table, bool empty) {
+  return "  ." + field + " = " + (empty ? "NULL" : table) + ",\n  ." + count + " = " + (empty ? "0" : "FC_COUNT_OF(" + table + ")") + ",\n";
 }
 
 /* A file name inside a comment: printable, and no trigraph. */
@@ -149,21 +126,20 @@ std::string c_name_of(const std::string &path) {
 
 bool is_c_name(const std::string &name) {
   static const std::array<const char *, 37> keywords = {
-      "auto",   "break",    "case",   "char",   "const",    "continue", "default", "do",
-      "double", "else",     "enum",   "extern", "float",    "for",      "goto",    "if",
-      "inline", "int",      "long",   "main",   "register", "restrict", "return",  "short",
-      "signed", "sizeof",   "static", "struct", "switch",   "typedef",  "union",   "unsigned",
-      "void",   "volatile", "while",  "asm",    "NULL"};
+      "auto",     "break",    "case",   "char",     "const",  "continue", "default", "do",     "double", "else",
+      "enum",     "extern",   "float",  "for",      "goto",   "if",       "inline",  "int",    "long",   "main",
+      "register", "restrict", "return", "short",    "signed", "sizeof",   "static",  "struct", "switch", "typedef",
+      "union",    "unsigned", "void",   "volatile", "while",  "asm",      "NULL"};
   if (name.empty() || !is_letter(name[0]) || name[0] == '_' || name.size() > 100) return false;
-  if (!std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); }))
-    return false;
+  if (!std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); })) return false;
   if (name.rfind("fc_", 0) == 0 || name.rfind("FC_", 0) == 0) return false;
   return std::find(keywords.begin(), keywords.end(), name) == keywords.end();
 }
 
 std::string bake_header(const SceneFacts &facts, const std::string &name) {
-  return head_comment(facts) + "#ifndef " + name + "_SCENE_H\n#define " + name + "_SCENE_H\n\n#include \"fixcast/fixcast.h\"\n\nextern const fc_scene " + name +
-         ";\nextern const fc_camera " + name + "_camera;\n\n#endif\n";
+  return head_comment(facts) + "#ifndef " + name + "_SCENE_H\n#define " + name +
+         "_SCENE_H\n\n#include \"fixcast/fixcast.h\"\n\nextern const fc_scene " + name + ";\nextern const fc_camera " + name +
+         "_camera;\n\n#endif\n";
 }
 
 std::string bake(const CoreScene &core, const SceneFacts &facts, const std::string &name) {
@@ -176,14 +152,12 @@ std::string bake(const CoreScene &core, const SceneFacts &facts, const std::stri
   text += c_table("fc_plane", name + "_planes", "normal, d, d_exponent, material, object", core.planes);
   for (std::size_t i = 0; i < core.triangle_tables.size(); i++) {
     const TriangleTable &table = core.triangle_tables[i];
-    text += c_table("fc_vec3", table_name(name, "vertices", core, i), "x, y, z",
-                    part(core.vertices, table.vertex, table.vertices));
+    text += c_table("fc_vec3", table_name(name, "vertices", core, i), "x, y, z", part(core.vertices, table.vertex, table.vertices));
     text += c_table("fc_triangle", table_name(name, "triangles", core, i), "vertices, material, object",
                     part(core.triangles, table.triangle, table.triangles));
   }
   text += c_table("fc_material", name + "_materials", "diffuse, Q1.15", core.materials);
-  text += c_table("fc_light", name + "_lights",
-                  "position, intensity, exponent, intensity_exponent, inverse_square", core.lights);
+  text += c_table("fc_light", name + "_lights", "position, intensity, exponent, intensity_exponent, inverse_square", core.lights);
   text += c_shapes(name, core);
   text += c_bvh(name, core);
   text += "const fc_scene " + name + " FC_ROM = {\n";
@@ -192,11 +166,9 @@ std::string bake(const CoreScene &core, const SceneFacts &facts, const std::stri
   text += c_reference("lights", "light_count", name + "_lights", core.lights.empty());
   text += "  .exponent = " + c_int(scene.exponent) + ",\n  .far_exponent = " + c_int(scene.far_exponent) +
           ",\n  .far_limit = " + c_int(scene.far_limit) + ",\n  .ambient = " + c_rgb(scene.ambient) +
-          ",\n  .background = " + c_rgb(scene.background) + ",\n" +
-          (core.bvh.empty() ? "" : "  .bvh = &" + name + "_bvh,\n") + "};\n\n";
-  text += "const fc_camera " + name + "_camera FC_ROM = {\n  .eye = " + c_vec3(camera.eye) +
-          ",\n  .target = " + c_vec3(camera.target) + ",\n  .up = " + c_vec3(camera.up) +
-          ",\n  .exponent = " + c_int(camera.exponent) +
+          ",\n  .background = " + c_rgb(scene.background) + ",\n" + (core.bvh.empty() ? "" : "  .bvh = &" + name + "_bvh,\n") + "};\n\n";
+  text += "const fc_camera " + name + "_camera FC_ROM = {\n  .eye = " + c_vec3(camera.eye) + ",\n  .target = " + c_vec3(camera.target) +
+          ",\n  .up = " + c_vec3(camera.up) + ",\n  .exponent = " + c_int(camera.exponent) +
           ",\n  .fov_rule = " + (camera.fov_rule == FC_FOV_EDGES ? "FC_FOV_EDGES" : "FC_FOV_CENTRES") +
           ",\n  .tan_half_fov_numerator = " + c_uint(camera.tan_half_fov_numerator) +
           ",\n  .tan_half_fov_denominator = " + c_uint(camera.tan_half_fov_denominator) + ",\n};\n";

@@ -17,7 +17,8 @@ std::vector<std::string> panel_names();
 /* NULL for a name that is none. */
 const fc_panel *find_panel(const std::string &name);
 
-/* The frame as the panel shows it: what fc_display_convert makes of it, decoded. `picture` must be FC_RGB565_BE, of the panel's size. A level of n bits is shown
+/* The frame as the panel shows it: what fc_display_convert makes of it, decoded. `picture` must be FC_RGB565_BE, of
+ * the panel's size. A level of n bits is shown
  * as level / (2^n - 1) of full brightness. Throws UserError when the sizes differ. */
 Image8 panel_picture(const fc_panel &panel, const Picture &picture);
 

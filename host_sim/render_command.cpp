@@ -32,9 +32,7 @@ struct RenderOptions : SceneOptions {
   std::vector<std::string> layers;
   int strip_rows = FC_SIZE_MAX, frames = 0, bits = 8, fps = 20;
 
-  bool shows(const std::string &layer) const {
-    return show == layer || std::find(layers.begin(), layers.end(), layer) != layers.end();
-  }
+  bool shows(const std::string &layer) const { return show == layer || std::find(layers.begin(), layers.end(), layer) != layers.end(); }
 };
 
 /* Depth codes as greys for people: stretched so that the farthest surface is a dark grey and the nearest white, in the order
@@ -121,8 +119,8 @@ int run_one(const RenderOptions &options) {
   frame.scene = load_scene(options);
   render_into(frame, options, false);
   const std::string written = write_files(options, frame, 0);
-  const std::string text = options.json ? "{" + frame_json(frame.scene, frame.counts) + "}\n"
-                                        : frame_summary(frame.scene, frame.counts) + written;
+  const std::string text =
+      options.json ? "{" + frame_json(frame.scene, frame.counts) + "}\n" : frame_summary(frame.scene, frame.counts) + written;
   (void)std::fputs(text.c_str(), stdout);
   return 0;
 }
@@ -177,8 +175,7 @@ void check(const RenderOptions &options) {
     if (sequence || depth_sequence) throw UserError(options.frame_path + ": a name for many frames; add --path orbit, or take the % out");
     return;
   }
-  if (!sequence && extension != ".gif")
-    throw UserError("--path draws many frames; let -o be a name such as frame_%04d.png or turn.gif");
+  if (!sequence && extension != ".gif") throw UserError("--path draws many frames; let -o be a name such as frame_%04d.png or turn.gif");
   if (!options.depth_path.empty() && (!depth_sequence || !sequence))
     throw UserError("--depth with --path needs names with a number's place, such as depth_%04d.png, here and in -o");
 }
@@ -194,9 +191,7 @@ void add_render_command(CLI::App &app, Action &action) {
                    "write the frame: .png, .ppm, .gif and others in 8 bits a channel; .exr with all layers as channels; with --path "
                    "frame_%04d.png or an animated .gif")
       ->type_name("FRAME.png");
-  command
-      ->add_option("--depth", options->depth_path,
-                   "write the depth codes stretched to 16-bit greys, nearer is brighter")
+  command->add_option("--depth", options->depth_path, "write the depth codes stretched to 16-bit greys, nearer is brighter")
       ->type_name("DEPTH.png");
   command->add_option("--bits", options->bits, "bits a channel of a .png or .tif: 8 (default) or 16")
       ->check(CLI::IsMember({8, 16}))
@@ -218,17 +213,11 @@ void add_render_command(CLI::App &app, Action &action) {
                    "draw many frames: orbit (the camera goes around), turntable (the scene turns) or a file of key frames, lines "
                    "FRAME from X Y Z at X Y Z")
       ->type_name("PATH");
-  command->add_option("--frames", options->frames, "how many with --path; default 36")
-      ->type_name("N")
-      ->check(CLI::Range(1, 9999));
-  command->add_option("--fps", options->fps, "frames a second of an animated .gif; default 20")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100));
+  command->add_option("--frames", options->frames, "how many with --path; default 36")->type_name("N")->check(CLI::Range(1, 9999));
+  command->add_option("--fps", options->fps, "frames a second of an animated .gif; default 20")->type_name("N")->check(CLI::Range(1, 100));
   add_offset_option(*command, *options);
   add_profile_option(*command, *options);
-  command
-      ->add_option("--strip", options->strip_rows,
-                   "render in strips of so many rows; default: the whole frame")
+  command->add_option("--strip", options->strip_rows, "render in strips of so many rows; default: the whole frame")
       ->type_name("ROWS")
       ->check(CLI::Range(1, static_cast<int>(FC_SIZE_MAX)));
   add_json_option(*command, *options);
