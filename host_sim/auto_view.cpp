@@ -15,17 +15,11 @@ using Triple = std::array<double, 3>;
 
 constexpr double pi = 3.14159265358979323846;
 
-Triple values(const Vector &v) {
-  return {static_cast<double>(v.x.value), static_cast<double>(v.y.value), static_cast<double>(v.z.value)};
-}
+Triple values(const Vector &v) { return {static_cast<double>(v.x.value), static_cast<double>(v.y.value), static_cast<double>(v.z.value)}; }
 
-double dot(const Triple &a, const Triple &b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+double dot(const Triple &a, const Triple &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-Triple cross(const Triple &a, const Triple &b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+Triple cross(const Triple &a, const Triple &b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
 
 Triple along(const Triple &from, double t, const Triple &direction) {
   return {from[0] + t * direction[0], from[1] + t * direction[1], from[2] + t * direction[2]};
@@ -39,9 +33,7 @@ Number rounded(double value) {
   return number.value == 0 ? Number{} : number;
 }
 
-Vector rounded(const Triple &v) {
-  return {rounded(v[0]), rounded(v[1]), rounded(v[2])};
-}
+Vector rounded(const Triple &v) { return {rounded(v[0]), rounded(v[1]), rounded(v[2])}; }
 
 /* A ball around a point: what must be in the picture. */
 struct Ball {
@@ -115,7 +107,8 @@ Rgb colour(const std::string &option, const std::vector<Number> &n, std::size_t 
 } // namespace
 
 bool ViewOptions::empty() const {
-  return from.empty() && at.empty() && up.empty() && angle.empty() && look.empty() && ambient.empty() && background.empty() && lights.empty();
+  return from.empty() && at.empty() && up.empty() && angle.empty() && look.empty() && ambient.empty() && background.empty() &&
+         lights.empty();
 }
 
 void frame_all(SceneFile &file, double azimuth, double elevation) {
@@ -184,7 +177,8 @@ void apply(const ViewOptions &options, SceneFile &file) {
   if (!options.up.empty()) camera.up = point("--up", options.up);
   if (!options.angle.empty()) {
     const Number angle = numbers("--angle", options.angle, 1, 1)[0];
-    if (angle.value <= 0 || angle.value >= 180) throw UserError("--angle " + shown(options.angle) + " is out of range; give degrees between 0 and 180");
+    if (angle.value <= 0 || angle.value >= 180)
+      throw UserError("--angle " + shown(options.angle) + " is out of range; give degrees between 0 and 180");
     camera.angle_degrees = angle;
     camera.tan_half_fov.reset();
   }
@@ -196,7 +190,8 @@ void apply(const ViewOptions &options, SceneFile &file) {
     if (n.size() == 6) light.colour = colour("--light " + shown(text), n, 3, 1e6L);
     file.lights.push_back(light);
   }
-  if (!options.ambient.empty()) file.ambient = colour("--ambient " + shown(options.ambient), numbers("--ambient", options.ambient, 1, 3), 0, 1e6L);
+  if (!options.ambient.empty())
+    file.ambient = colour("--ambient " + shown(options.ambient), numbers("--ambient", options.ambient, 1, 3), 0, 1e6L);
   if (!options.background.empty())
     file.background = colour("--background " + shown(options.background), numbers("--background", options.background, 1, 3), 0, 1);
 }

@@ -19,8 +19,10 @@ struct ViewOptions {
   bool empty() const;
 };
 
-/* Puts a camera into the file that sees everything finite from direction (azimuth, elevation), degrees: azimuth 0 from +z, 90 from +x, elevation 90 from
- * above; y is up. The shape fills nine tenths of the picture, in whichever direction it is larger. Throws UserError when there is nothing finite. */
+/* Puts a camera into the file that sees everything finite from direction (azimuth, elevation), degrees: azimuth 0 from
+ * +z, 90 from +x, elevation 90 from
+ * above; y is up. The shape fills nine tenths of the picture, in whichever direction it is larger. Throws UserError
+ * when there is nothing finite. */
 void frame_all(SceneFile &file, double azimuth, double elevation);
 
 /* A light from over the camera's left shoulder, ambient light and a background, for a scene that was framed by frame_all. */

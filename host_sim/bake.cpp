@@ -12,12 +12,8 @@
 namespace host {
 namespace {
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /* Beyond 16 bits a plain constant would depend on the chip's int. */
 std::string c_int(std::int32_t v) {
@@ -35,12 +31,8 @@ std::string c_u16(std::uint16_t v) {
   return v <= 32767 ? text : text + "u";
 }
 
-std::string c_vec3(const fc_vec3 &v) {
-  return "{" + c_int(v.x) + ", " + c_int(v.y) + ", " + c_int(v.z) + "}";
-}
-std::string c_rgb(const fc_rgb &c) {
-  return "{" + c_u16(c.r) + ", " + c_u16(c.g) + ", " + c_u16(c.b) + "}";
-}
+std::string c_vec3(const fc_vec3 &v) { return "{" + c_int(v.x) + ", " + c_int(v.y) + ", " + c_int(v.z) + "}"; }
+std::string c_rgb(const fc_rgb &c) { return "{" + c_u16(c.r) + ", " + c_u16(c.g) + ", " + c_u16(c.b) + "}"; }
 
 std::string c_item(std::uint16_t v) {
   return c_u16(v);
@@ -58,16 +50,14 @@ std::string c_item(const fc_uv &t) {
   return "{" + c_int(t.u) + ", " + c_int(t.v) + "}";
 }
 std::string c_item(const fc_sphere &s) {
-  return "{" + c_vec3(s.center) + ", " + c_int(s.radius) + ", " + c_u16(s.material) + ", " + c_u16(s.object) +
-         "}";
+  return "{" + c_vec3(s.center) + ", " + c_int(s.radius) + ", " + c_u16(s.material) + ", " + c_u16(s.object) + "}";
 }
 std::string c_item(const fc_plane &p) {
-  return "{" + c_vec3(p.normal) + ", " + c_int(p.d) + ", " + c_int(p.d_exponent) + ", " + c_u16(p.material) +
-         ", " + c_u16(p.object) + "}";
+  return "{" + c_vec3(p.normal) + ", " + c_int(p.d) + ", " + c_int(p.d_exponent) + ", " + c_u16(p.material) + ", " + c_u16(p.object) + "}";
 }
 std::string c_item(const fc_triangle &t) {
-  return "{{" + c_u16(t.vertex[0]) + ", " + c_u16(t.vertex[1]) + ", " + c_u16(t.vertex[2]) + "}, " +
-         c_u16(t.material) + ", " + c_u16(t.object) + "}";
+  return "{{" + c_u16(t.vertex[0]) + ", " + c_u16(t.vertex[1]) + ", " + c_u16(t.vertex[2]) + "}, " + c_u16(t.material) + ", " +
+         c_u16(t.object) + "}";
 }
 std::string c_item(const fc_light &l) {
   return "{" + c_vec3(l.position) + ", " + c_rgb(l.intensity) + ", " + c_int(l.exponent) + ", " +
@@ -76,13 +66,10 @@ std::string c_item(const fc_light &l) {
 
 /* One table, and a blank line; nothing when it would be empty, which C does not allow. */
 template <typename T>
-std::string c_table(const char *type, const std::string &name, const char *fields,
-                    const std::vector<T> &table) {
+std::string c_table(const char *type, const std::string &name, const char *fields, const std::vector<T> &table) {
   if (table.empty()) return "";
-  std::string text =
-      "/* " + std::string(fields) + " */\nstatic const " + type + " " + name + "[] FC_ROM = {\n";
-  for (const T &item : table)
-    text += "  " + c_item(item) + ",\n";
+  std::string text = "/* " + std::string(fields) + " */\nstatic const " + type + " " + name + "[] FC_ROM = {\n";
+  for (const T &item : table) text += "  " + c_item(item) + ",\n";
   return text + "};\n\n";
 }
 
@@ -182,15 +169,13 @@ std::string c_bvh(const std::string &name, const CoreScene &core) {
   text += c_table("uint16_t", name + "_order", "primitives, leaf by leaf", std::vector<std::uint16_t>(bvh.order, bvh.order + bvh.count));
   text += "static const fc_bvh " + name + "_bvh FC_ROM = {\n  .kind = &fc_bvh_balanced,\n";
   if (nodes > 0) text += "  .nodes = " + name + "_nodes,\n  .order = " + name + "_order,\n";
-  return text + "  .origin = " + c_vec3(bvh.origin) + ",\n  .count = " + c_u16(bvh.count) + ",\n  .shift = " +
-         std::to_string(bvh.shift) + ",\n  .depth = " + std::to_string(bvh.depth) + ",\n};\n\n";
+  return text + "  .origin = " + c_vec3(bvh.origin) + ",\n  .count = " + c_u16(bvh.count) + ",\n  .shift = " + std::to_string(bvh.shift) +
+         ",\n  .depth = " + std::to_string(bvh.depth) + ",\n};\n\n";
 }
 
 /* Pointer and count of a table that may be missing. */
-std::string c_reference(const std::string &field, const std::string &count, const std::string &table,
-                        bool empty) {
-  return "  ." + field + " = " + (empty ? "NULL" : table) + ",\n  ." + count + " = " +
-         (empty ? "0" : "FC_COUNT_OF(" + table + ")") + ",\n";
+std::string c_reference(const std::string &field, const std::string &count, const std::string &table, bool empty) {
+  return "  ." + field + " = " + (empty ? "NULL" : table) + ",\n  ." + count + " = " + (empty ? "0" : "FC_COUNT_OF(" + table + ")") + ",\n";
 }
 
 /* A file name inside a comment: printable, and no trigraph. */
@@ -217,21 +202,20 @@ std::string c_name_of(const std::string &path) {
 
 bool is_c_name(const std::string &name) {
   static const std::array<const char *, 37> keywords = {
-      "auto",   "break",    "case",   "char",   "const",    "continue", "default", "do",
-      "double", "else",     "enum",   "extern", "float",    "for",      "goto",    "if",
-      "inline", "int",      "long",   "main",   "register", "restrict", "return",  "short",
-      "signed", "sizeof",   "static", "struct", "switch",   "typedef",  "union",   "unsigned",
-      "void",   "volatile", "while",  "asm",    "NULL"};
+      "auto",     "break",    "case",   "char",     "const",  "continue", "default", "do",     "double", "else",
+      "enum",     "extern",   "float",  "for",      "goto",   "if",       "inline",  "int",    "long",   "main",
+      "register", "restrict", "return", "short",    "signed", "sizeof",   "static",  "struct", "switch", "typedef",
+      "union",    "unsigned", "void",   "volatile", "while",  "asm",      "NULL"};
   if (name.empty() || !is_letter(name[0]) || name[0] == '_' || name.size() > 100) return false;
-  if (!std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); }))
-    return false;
+  if (!std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); })) return false;
   if (name.rfind("fc_", 0) == 0 || name.rfind("FC_", 0) == 0) return false;
   return std::find(keywords.begin(), keywords.end(), name) == keywords.end();
 }
 
 std::string bake_header(const SceneFacts &facts, const std::string &name) {
-  return head_comment(facts) + "#ifndef " + name + "_SCENE_H\n#define " + name + "_SCENE_H\n\n#include \"fixcast/fixcast.h\"\n\nextern const fc_scene " + name +
-         ";\nextern const fc_camera " + name + "_camera;\n\n#endif\n";
+  return head_comment(facts) + "#ifndef " + name + "_SCENE_H\n#define " + name +
+         "_SCENE_H\n\n#include \"fixcast/fixcast.h\"\n\nextern const fc_scene " + name + ";\nextern const fc_camera " + name +
+         "_camera;\n\n#endif\n";
 }
 
 std::string bake(const CoreScene &core, const SceneFacts &facts, const std::string &name) {

@@ -26,17 +26,11 @@ std::string power_of_two(int n) {
   return {digits.rbegin(), digits.rend()};
 }
 
-IntVector components(const fc_vec3 &v) {
-  return {v.x, v.y, v.z};
-}
+IntVector components(const fc_vec3 &v) { return {v.x, v.y, v.z}; }
 
-IntVector sum(const IntVector &a, const IntVector &b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
+IntVector sum(const IntVector &a, const IntVector &b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
-IntVector difference(const IntVector &a, const IntVector &b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
+IntVector difference(const IntVector &a, const IntVector &b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 /* Times 2^exponent, rounded; exponent at most 0. */
 IntVector regridded(const IntVector &v, int exponent) {
@@ -52,9 +46,7 @@ IntVector halved(const IntVector &v) {
 }
 
 /* A grid of world coordinates times 2^exponent, in world units. */
-int grid_of(const CoreScene &core, int exponent) {
-  return core.scene.exponent - 16 + exponent;
-}
+int grid_of(const CoreScene &core, int exponent) { return core.scene.exponent - 16 + exponent; }
 
 /* The middle of the box around everything finite, in world coordinates; `fallback` when there is nothing. */
 IntVector middle(const CoreScene &core, const IntVector &fallback) {
@@ -97,7 +89,8 @@ public:
     for (std::size_t i = 0; i < lights_.size(); i++) {
       /* On the coarser of the two grids. */
       const int grid = std::max(grid_, lights_[i].grid);
-      file.lights[i].position = about(regridded(view_.pivot, grid_ - grid), regridded(lights_[i].position, lights_[i].grid - grid), angle, grid);
+      file.lights[i].position =
+          about(regridded(view_.pivot, grid_ - grid), regridded(lights_[i].position, lights_[i].grid - grid), angle, grid);
     }
     return file;
   }

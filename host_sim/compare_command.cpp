@@ -25,15 +25,11 @@ struct CompareOptions : SceneOptions {
   std::string depth_format, frame, output;
 };
 
-double per_million(std::size_t count, std::size_t of) {
-  return of == 0 ? 0 : 1e6 * static_cast<double>(count) / static_cast<double>(of);
-}
+double per_million(std::size_t count, std::size_t of) { return of == 0 ? 0 : 1e6 * static_cast<double>(count) / static_cast<double>(of); }
 
 std::string json_text(const Comparison &c) {
-  return ", \"wrong_id\": " + std::to_string(c.wrong_id) +
-         ", \"wrong_shadow\": " + std::to_string(c.wrong_shadow) +
-         ", \"colour_rmse\": " + number_text(c.colour_rmse) +
-         ", \"colour_max\": " + number_text(c.colour_max) +
+  return ", \"wrong_id\": " + std::to_string(c.wrong_id) + ", \"wrong_shadow\": " + std::to_string(c.wrong_shadow) +
+         ", \"colour_rmse\": " + number_text(c.colour_rmse) + ", \"colour_max\": " + number_text(c.colour_max) +
          ", \"depth_rel_max\": " + number_text(c.depth_rel_max) +
          ", \"false_shadow_ppm\": " + number_text(per_million(c.false_shadows, c.light_tests)) +
          ", \"leak_ppm\": " + number_text(per_million(c.leaks, c.light_tests));
@@ -41,9 +37,8 @@ std::string json_text(const Comparison &c) {
 
 std::string summary(const Comparison &c) {
   char text[120];
-  (void)std::snprintf(text, sizeof text,
-                      "; colour error %.3f RMSE, %.3f largest (8-bit levels); depth error %.3g\n",
-                      c.colour_rmse, c.colour_max, c.depth_rel_max);
+  (void)std::snprintf(text, sizeof text, "; colour error %.3f RMSE, %.3f largest (8-bit levels); depth error %.3g\n", c.colour_rmse,
+                      c.colour_max, c.depth_rel_max);
   return count_text(c.wrong_id, "wrong id") + ", " + count_text(c.wrong_shadow, "wrong shadow") + text +
          number_text(per_million(c.false_shadows, c.light_tests)) + " false shadows and " +
          number_text(per_million(c.leaks, c.light_tests)) + " leaks per million pixels and lights\n";
@@ -55,13 +50,11 @@ std::string depth_text(const CompareOptions &options, const Oracle &oracle, cons
   for (const NamedDepthFormat &named : depth_formats()) {
     if (options.depth_format != named.name) continue;
     const WrongOrder wrong = wrong_order(oracle, scene.width, scene.height, named.format);
-    if (options.json)
-      return ", \"depth_format\": \"" + options.depth_format +
-             "\", \"wrong_order\": " + std::to_string(wrong.pixels);
+    if (options.json) return ", \"depth_format\": \"" + options.depth_format + "\", \"wrong_order\": " + std::to_string(wrong.pixels);
     char range[80];
     (void)std::snprintf(range, sizeof range, " (depths %.4g to %.4g)\n", wrong.near, wrong.far);
-    return "a z-buffer of " + options.depth_format +
-           " without a tie rule: " + count_text(wrong.pixels, "pixel") + " in the wrong order" + range;
+    return "a z-buffer of " + options.depth_format + " without a tie rule: " + count_text(wrong.pixels, "pixel") + " in the wrong order" +
+           range;
   }
   return "";
 }
@@ -82,20 +75,17 @@ std::string distance_text(double px) {
 }
 
 /* One line a wrong pixel. */
-void list_wrong_pixels(std::FILE *to, const Oracle &oracle, const Comparison &comparison,
-                       std::size_t lights) {
-  std::string text = std::to_string(comparison.escalated) +
-                     " pixels needed the oracle's 256-bit intervals, " + std::to_string(comparison.ties) +
-                     " are exact ties\n";
+void list_wrong_pixels(std::FILE *to, const Oracle &oracle, const Comparison &comparison, std::size_t lights) {
+  std::string text = std::to_string(comparison.escalated) + " pixels needed the oracle's 256-bit intervals, " +
+                     std::to_string(comparison.ties) + " are exact ties\n";
   {
     Progress progress("measuring wrong pixels", comparison.wrong.size());
     std::size_t done = 0;
     for (const WrongPixel &p : comparison.wrong) {
-      text += std::string(p.wrong_id ? "wrong id" : "wrong shadow") + " at " + std::to_string(p.x) + " " +
-              std::to_string(p.y) + ": core object " + std::to_string(p.core_object) + " lit " +
-              hex_text(p.core_lit) + ", oracle object " + std::to_string(p.oracle_object) + " lit " +
-              hex_text(p.oracle_lit) + ", true edge " + distance_text(edge_distance_px(oracle, p, lights)) +
-              " away\n";
+      text += std::string(p.wrong_id ? "wrong id" : "wrong shadow") + " at " + std::to_string(p.x) + " " + std::to_string(p.y) +
+              ": core object " + std::to_string(p.core_object) + " lit " + hex_text(p.core_lit) + ", oracle object " +
+              std::to_string(p.oracle_object) + " lit " + hex_text(p.oracle_lit) + ", true edge " +
+              distance_text(edge_distance_px(oracle, p, lights)) + " away\n";
       progress.update(++done);
     }
   }
@@ -112,7 +102,8 @@ void list_wrong_pixels(std::FILE *to, const Oracle &oracle, const Comparison &co
 Image8 error_picture(const LoadedScene &scene, const Comparison &comparison) {
   Image8 picture = heat_map(scene.width, scene.height, comparison.error);
   for (const WrongPixel &wrong : comparison.wrong) {
-    const std::size_t at = 3 * (static_cast<std::size_t>(wrong.y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(wrong.x));
+    const std::size_t at =
+        3 * (static_cast<std::size_t>(wrong.y) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(wrong.x));
     picture.rgb[at] = wrong.wrong_id ? 255 : 0;
     picture.rgb[at + 1] = wrong.wrong_id ? 0 : 255;
     picture.rgb[at + 2] = wrong.wrong_id ? 255 : 0;
@@ -133,16 +124,15 @@ int run_compare(const CompareOptions &options) {
   const Oracle oracle(scene.file, scene.width, scene.height);
   const Comparison comparison = compare(scene.file, oracle, frame, pictures.rgb888);
   const std::string depth = depth_text(options, oracle, scene);
-  const std::string text = options.json
-                               ? "{" + frame_json(scene, counts) + json_text(comparison) + depth + "}\n"
-                               : frame_summary(scene, counts) + summary(comparison) + depth;
+  const std::string text = options.json ? "{" + frame_json(scene, counts) + json_text(comparison) + depth + "}\n"
+                                        : frame_summary(scene, counts) + summary(comparison) + depth;
   (void)std::fputs(text.c_str(), stdout);
   if (!options.output.empty()) {
-    const std::string written =
-        write_image(options.output, side_by_side({{scene.width, scene.height, pictures.rgb888.pixels},
-                                                  comparison.truth,
-                                                  error_picture(scene, comparison)}));
-    (void)std::fprintf(options.json ? stderr : stdout, "wrote %s: core, oracle, colour error (wrong ids magenta, wrong shadows green)\n", written.c_str());
+    const std::string written = write_image(
+        options.output,
+        side_by_side({{scene.width, scene.height, pictures.rgb888.pixels}, comparison.truth, error_picture(scene, comparison)}));
+    (void)std::fprintf(options.json ? stderr : stdout, "wrote %s: core, oracle, colour error (wrong ids magenta, wrong shadows green)\n",
+                       written.c_str());
   }
   if (options.verbose) /* stdout stays one JSON object */
     list_wrong_pixels(options.json ? stderr : stdout, oracle, comparison, scene.file.lights.size());
@@ -154,8 +144,7 @@ int run_compare(const CompareOptions &options) {
 
 void add_compare_command(CLI::App &app, Action &action) {
   const auto options = std::make_shared<CompareOptions>();
-  CLI::App *command =
-      app.add_subcommand("compare", "Render a scene and count every error against the oracle");
+  CLI::App *command = app.add_subcommand("compare", "Render a scene and count every error against the oracle");
   add_scene_options(*command, *options);
   add_offset_option(*command, *options);
   add_profile_option(*command, *options);
@@ -171,10 +160,11 @@ void add_compare_command(CLI::App &app, Action &action) {
                    "measure the frame in this file instead of one by the core; nine bytes a pixel: object id (2) "
                    "and light mask (4), low byte first, red, green, blue; the CRC is then of red, green, blue")
       ->type_name("FILE");
-  command->add_option("-o,--output", options->output, "write the core's picture, the oracle's and a heat map of the colour errors side by side")
+  command
+      ->add_option("-o,--output", options->output,
+                   "write the core's picture, the oracle's and a heat map of the colour errors side by side")
       ->type_name("COMPARE.png");
-  command->add_flag("--check", options->check,
-                    "exit with 1 unless ids and shadows are right and colours within 1");
+  command->add_flag("--check", options->check, "exit with 1 unless ids and shadows are right and colours within 1");
   add_json_option(*command, *options);
   command->callback([&action, options] { action = [options] { return run_compare(*options); }; });
 }

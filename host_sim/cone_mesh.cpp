@@ -23,13 +23,9 @@ Number decimal(Real value) {
   return number.value == 0 ? Number{} : number;
 }
 
-Triple values(const Vector &v) {
-  return {v.x.value, v.y.value, v.z.value};
-}
+Triple values(const Vector &v) { return {v.x.value, v.y.value, v.z.value}; }
 
-Triple cross(const Triple &a, const Triple &b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+Triple cross(const Triple &a, const Triple &b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
 
 Triple unit(Triple v) {
   const Real length = std::hypot(v[0], v[1], v[2]);
@@ -45,8 +41,7 @@ std::vector<Vector> ring(const Vector &centre, Real radius, int corners, const T
   for (int i = 0; i < corners; i++) {
     const Real angle = 2 * pi * static_cast<Real>(i) / static_cast<Real>(corners);
     std::array<Number, 3> point;
-    for (std::size_t k = 0; k < 3; k++)
-      point[k] = decimal(middle[k] + radius * (std::cos(angle) * across[k] + std::sin(angle) * up[k]));
+    for (std::size_t k = 0; k < 3; k++) point[k] = decimal(middle[k] + radius * (std::cos(angle) * across[k] + std::sin(angle) * up[k]));
     points.push_back({point[0], point[1], point[2]});
   }
   return points;

@@ -24,7 +24,8 @@ struct Cone {
 
 int cone_corners(long double relative_error);
 
-/* Triangles with three vertices each, in the material, object and line of `pattern`. Coordinates have twelve digits, which the core, the oracle and a baked
+/* Triangles with three vertices each, in the material, object and line of `pattern`. Coordinates have twelve digits,
+ * which the core, the oracle and a baked
  * scene all take as they are. */
 std::vector<Polygon> cone_mesh(const Cone &cone, long double relative_error, const Polygon &pattern);
 

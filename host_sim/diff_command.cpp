@@ -32,8 +32,8 @@ std::string words(const DiffOptions &options, const Raster &a, const Raster &b, 
   if (d.same()) return "same\n";
   const std::size_t worst = static_cast<std::size_t>(d.worst_y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(d.worst_x);
   return count_text(d.pixels, "pixel") + " of " + std::to_string(a.pixels()) + " differ; worst at " + std::to_string(d.worst_x) + " " +
-         std::to_string(d.worst_y) + ": channel " + a.channels[d.worst_channel].name + " by " + number_text(d.worst) + "\n" + options.a + ": " +
-         values_text(a, worst, ", ") + "\n" + options.b + ": " + values_text(b, worst, ", ") + "\n";
+         std::to_string(d.worst_y) + ": channel " + a.channels[d.worst_channel].name + " by " + number_text(d.worst) + "\n" + options.a +
+         ": " + values_text(a, worst, ", ") + "\n" + options.b + ": " + values_text(b, worst, ", ") + "\n";
 }
 
 /* JSON has no infinity. */

@@ -26,7 +26,8 @@ public:
   void add(const std::string &layer, const std::vector<float> &error) {
     if (layer == "color") {
       for (std::size_t c = 0; c < 3; c++)
-        fill(std::string(1, "RGB"[c]), SampleType::f32, [&](std::size_t i) { return static_cast<double>(static_cast<float>(picture_.pixels[3 * i + c]) / 255.0f); });
+        fill(std::string(1, "RGB"[c]), SampleType::f32,
+             [&](std::size_t i) { return static_cast<double>(static_cast<float>(picture_.pixels[3 * i + c]) / 255.0f); });
       fill("A", SampleType::f32, [&](std::size_t i) { return picture_.surface[i] ? 1.0 : 0.0; });
     } else if (layer == "depth") {
       fill("Z", SampleType::f32, [&](std::size_t i) {
@@ -64,12 +65,14 @@ private:
       if (!picture_.surface[i]) continue;
       fc_hit hit{};
       const std::size_t width = static_cast<std::size_t>(picture_.width);
-      const int result = fc_pick(&frame_.get(), static_cast<std::uint16_t>(i % width), static_cast<std::uint16_t>(i / width), &hit, nullptr);
+      const int result =
+          fc_pick(&frame_.get(), static_cast<std::uint16_t>(i % width), static_cast<std::uint16_t>(i / width), &hit, nullptr);
       if (result < 0) throw UserError(std::string("cannot tell normals: ") + fc_error_text(result));
       if (result > 0) normals[i] = hit.normal_q30;
     }
     const auto axis = [&](const char *name, std::int32_t fc_vec3::*member) {
-      fill(name, SampleType::f32, [&](std::size_t i) { return static_cast<double>(static_cast<float>(std::ldexp(normals[i].*member, -30))); });
+      fill(name, SampleType::f32,
+           [&](std::size_t i) { return static_cast<double>(static_cast<float>(std::ldexp(normals[i].*member, -30))); });
     };
     axis("N.X", &fc_vec3::x);
     axis("N.Y", &fc_vec3::y);
@@ -97,9 +100,7 @@ const Channel &channel(const Raster &raster, const char *name) {
   return *found;
 }
 
-std::uint8_t level(double v) {
-  return static_cast<std::uint8_t>(std::lround(std::min(std::max(v, 0.0), 255.0)));
-}
+std::uint8_t level(double v) { return static_cast<std::uint8_t>(std::lround(std::min(std::max(v, 0.0), 255.0))); }
 
 /* A hue a number, far from those of its neighbours: the golden angle; 0 is black. */
 std::array<std::uint8_t, 3> id_colour(std::uint32_t id) {

@@ -14,9 +14,7 @@ namespace {
 constexpr std::size_t palette_size = 256;
 using Colour = std::array<std::uint8_t, 3>;
 
-std::uint32_t key_of(const Colour &c) {
-  return std::uint32_t{c[0]} << 16 | std::uint32_t{c[1]} << 8 | c[2];
-}
+std::uint32_t key_of(const Colour &c) { return std::uint32_t{c[0]} << 16 | std::uint32_t{c[1]} << 8 | c[2]; }
 
 struct Counted {
   Colour colour;
@@ -64,17 +62,14 @@ Palette make_palette(const Image8 &image) {
   while (boxes.size() < palette_size) {
     Box *widest = &boxes.front();
     for (Box &box : boxes)
-      if (static_cast<std::uint64_t>(box.length) * box.pixels >
-          static_cast<std::uint64_t>(widest->length) * widest->pixels)
-        widest = &box;
+      if (static_cast<std::uint64_t>(box.length) * box.pixels > static_cast<std::uint64_t>(widest->length) * widest->pixels) widest = &box;
     if (widest->length == 0) break;
     const Box box = *widest;
     const auto from = colours.begin() + static_cast<std::ptrdiff_t>(box.first);
     const auto to = colours.begin() + static_cast<std::ptrdiff_t>(box.last);
     std::stable_sort(from, to, [&box](const Counted &a, const Counted &b) { return a.colour[box.axis] < b.colour[box.axis]; });
     std::size_t cut = box.first;
-    for (std::uint64_t below = 0; cut + 1 < box.last && (cut == box.first || 2 * below < box.pixels); cut++)
-      below += colours[cut].pixels;
+    for (std::uint64_t below = 0; cut + 1 < box.last && (cut == box.first || 2 * below < box.pixels); cut++) below += colours[cut].pixels;
     *widest = box_of(colours, box.first, cut);
     boxes.push_back(box_of(colours, cut, box.last));
   }

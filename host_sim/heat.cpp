@@ -8,8 +8,7 @@
 namespace host {
 
 std::array<std::uint8_t, 3> heat_colour(double levels) {
-  static constexpr std::array<std::array<double, 3>, 5> ramp = {
-      {{0, 0, 0}, {40, 60, 220}, {220, 30, 60}, {255, 210, 40}, {255, 255, 255}}};
+  static constexpr std::array<std::array<double, 3>, 5> ramp = {{{0, 0, 0}, {40, 60, 220}, {220, 30, 60}, {255, 210, 40}, {255, 255, 255}}};
   if (!(levels < 255)) return {255, 255, 255};
   const double t = std::log2(1 + levels) / 8 * (ramp.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(t), ramp.size() - 2);
@@ -52,8 +51,8 @@ Image8 zoomed(const Image8 &image, int zoom) {
   large.rgb.reserve(image.rgb.size() * static_cast<std::size_t>(zoom) * static_cast<std::size_t>(zoom));
   for (int y = 0; y < large.height; y++)
     for (int x = 0; x < large.width; x++) {
-      const std::size_t from = 3 * (static_cast<std::size_t>(y / zoom) * static_cast<std::size_t>(image.width) +
-                                    static_cast<std::size_t>(x / zoom));
+      const std::size_t from =
+          3 * (static_cast<std::size_t>(y / zoom) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x / zoom));
       for (std::size_t c = 0; c < 3; c++) large.rgb.push_back(image.rgb[from + c]);
     }
   return large;

@@ -42,14 +42,12 @@ OIIO::TypeDesc oiio_type(SampleType type) {
 
 /* OpenImageIO encodes into memory and write_file writes: a full disk is then reported rather than missed.
  * `stored`: what `samples` are; UNKNOWN: as each channel of the spec says, packed. */
-void write(const std::string &path, OIIO::ImageSpec spec, OIIO::TypeDesc stored, const void *samples,
-           const Metadata &metadata) {
+void write(const std::string &path, OIIO::ImageSpec spec, OIIO::TypeDesc stored, const void *samples, const Metadata &metadata) {
   const std::string extension = image_extension(path);
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(path);
   if (!output || output->supports("ioproxy") == 0) {
     OIIO::geterror(); /* or it is printed at exit */
-    const std::string what =
-        extension.empty() ? "a name without extension" : "unknown image format " + extension;
+    const std::string what = extension.empty() ? "a name without extension" : "unknown image format " + extension;
     fail_write(path, what, "let the name end in .png, .tif or another format of OpenImageIO");
   }
   spec.attribute("DateTime", "1980:01:01 00:00:00"); /* or some formats store the time of day */
@@ -106,7 +104,7 @@ SampleType sample_type(const std::string &path, OIIO::TypeDesc type) {
 /* IEEE 754 binary16. */
 double half_value(std::uint16_t bits) {
   const int exponent = bits >> 10 & 31, mantissa = bits & 1023;
-  const double magnitude = exponent == 31 ? (mantissa == 0 ? HUGE_VAL : std::nan(""))
+  const double magnitude = exponent == 31  ? (mantissa == 0 ? HUGE_VAL : std::nan(""))
                            : exponent == 0 ? std::ldexp(mantissa, -24)
                                            : std::ldexp(1024 + mantissa, exponent - 25);
   return (bits & 0x8000) != 0 ? -magnitude : magnitude;
@@ -152,8 +150,7 @@ void put_sample(unsigned char *to, SampleType type, double value) {
 
 std::string write_image(const std::string &path, const Image8 &image, const Metadata &metadata) {
   if (!write_if_pnm(path, image))
-    write(path, OIIO::ImageSpec(image.width, image.height, 3, OIIO::TypeDesc::UINT8), OIIO::TypeDesc::UINT8,
-          image.rgb.data(), metadata);
+    write(path, OIIO::ImageSpec(image.width, image.height, 3, OIIO::TypeDesc::UINT8), OIIO::TypeDesc::UINT8, image.rgb.data(), metadata);
   return path;
 }
 
@@ -161,21 +158,18 @@ std::string write_image16(const std::string &path, const Image8 &image, const Me
   std::vector<std::uint16_t> wide;
   wide.reserve(image.rgb.size());
   for (const std::uint8_t v : image.rgb) wide.push_back(static_cast<std::uint16_t>(v * 257));
-  write(path, OIIO::ImageSpec(image.width, image.height, 3, OIIO::TypeDesc::UINT16), OIIO::TypeDesc::UINT16,
-        wide.data(), metadata);
+  write(path, OIIO::ImageSpec(image.width, image.height, 3, OIIO::TypeDesc::UINT16), OIIO::TypeDesc::UINT16, wide.data(), metadata);
   return path;
 }
 
 std::string write_depth(const std::string &path, const Image16 &image, const Metadata &metadata) {
   if (!write_if_pnm(path, image))
-    write(path, OIIO::ImageSpec(image.width, image.height, 1, OIIO::TypeDesc::UINT16), OIIO::TypeDesc::UINT16,
-          image.grey.data(), metadata);
+    write(path, OIIO::ImageSpec(image.width, image.height, 1, OIIO::TypeDesc::UINT16), OIIO::TypeDesc::UINT16, image.grey.data(), metadata);
   return path;
 }
 
 std::string write_raster(const std::string &path, const Raster &raster, const Metadata &metadata) {
-  if (image_extension(path) != ".exr")
-    fail_write(path, "only EXR holds named channels", "let the name end in .exr");
+  if (image_extension(path) != ".exr") fail_write(path, "only EXR holds named channels", "let the name end in .exr");
   OIIO::ImageSpec spec(raster.width, raster.height, static_cast<int>(raster.channels.size()), OIIO::TypeDesc::FLOAT);
   spec.channelnames.clear();
   for (std::size_t c = 0; c < raster.channels.size(); c++) {
@@ -190,8 +184,7 @@ std::string write_raster(const std::string &path, const Raster &raster, const Me
   std::vector<unsigned char> packed(raster.pixels() * raster.channels.size() * 4);
   for (std::size_t c = 0; c < raster.channels.size(); c++)
     for (std::size_t i = 0; i < raster.pixels(); i++)
-      put_sample(&packed[(i * raster.channels.size() + c) * 4], raster.channels[c].type,
-                 raster.channels[c].samples[i]);
+      put_sample(&packed[(i * raster.channels.size() + c) * 4], raster.channels[c].type, raster.channels[c].samples[i]);
   write(path, spec, OIIO::TypeDesc::UNKNOWN, packed.data(), metadata);
   return path;
 }
@@ -233,8 +226,6 @@ Raster read_raster(const std::string &path) {
 #define FIXCAST_TEXT(x) #x
 #define FIXCAST_JOIN(major, minor, patch) FIXCAST_TEXT(major) "." FIXCAST_TEXT(minor) "." FIXCAST_TEXT(patch)
 
-const char *image_backend() {
-  return "OpenImageIO " FIXCAST_JOIN(OIIO_VERSION_MAJOR, OIIO_VERSION_MINOR, OIIO_VERSION_PATCH);
-}
+const char *image_backend() { return "OpenImageIO " FIXCAST_JOIN(OIIO_VERSION_MAJOR, OIIO_VERSION_MINOR, OIIO_VERSION_PATCH); }
 
 } // namespace host

@@ -31,7 +31,8 @@ RealKey parse(const std::string &path, int line, std::istringstream &words) {
   if (!(words >> key.frame) || key.frame < 0 || key.frame > last_frame)
     fail(path, line, std::string("a frame number that is not 0 to 100000; ") + usage);
   for (std::size_t i = 0; i < 6; i++) {
-    if (i % 3 == 0 && (!(words >> word) || word != (i == 0 ? "from" : "at"))) fail(path, line, std::string("the word ") + (i == 0 ? "from" : "at") + " is missing; " + usage);
+    if (i % 3 == 0 && (!(words >> word) || word != (i == 0 ? "from" : "at")))
+      fail(path, line, std::string("the word ") + (i == 0 ? "from" : "at") + " is missing; " + usage);
     char *end = nullptr;
     if (words >> word) key.values[i] = std::strtod(word.c_str(), &end);
     if (!words || end == word.c_str() || *end != '\0' || !(std::fabs(key.values[i]) < 1e30))
@@ -83,7 +84,8 @@ KeyFrames read_key_frames(const std::string &path) {
     if ((words >> std::ws).eof()) continue;
     if (real.size() == 10000) fail(path, line, "more than 10000 keys; use fewer");
     real.push_back(parse(path, line, words));
-    if (real.size() > 1 && real[real.size() - 2].frame >= real.back().frame) fail(path, line, "a frame that is not above the one before; sort the keys");
+    if (real.size() > 1 && real[real.size() - 2].frame >= real.back().frame)
+      fail(path, line, "a frame that is not above the one before; sort the keys");
     for (const double v : real.back().values) largest = std::max(largest, std::fabs(v));
   }
   if (real.size() < 2) throw UserError(path + ": fewer than two keys; add lines FRAME from X Y Z at X Y Z");

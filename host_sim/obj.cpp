@@ -39,9 +39,7 @@ namespace {
 constexpr std::size_t max_faces = 65535, max_corners = 65535, max_line_bytes = 65536;
 constexpr double max_coordinate = 1e30;
 
-[[noreturn]] void fail(const std::string &path, const std::string &sentence) {
-  throw UserError(path + ": " + sentence);
-}
+[[noreturn]] void fail(const std::string &path, const std::string &sentence) { throw UserError(path + ": " + sentence); }
 
 [[noreturn]] void fail(const std::string &path, std::size_t line, const std::string &sentence) {
   throw UserError(path + ":" + std::to_string(line) + ": " + sentence);
@@ -105,11 +103,14 @@ void check_words(const std::string &path, std::size_t number, std::string_view k
     const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
     const std::string_view word = line.substr(begin, end - begin);
     if (face ? !is_corner(word) : !is_number(word))
-      fail(path, number, std::string(face ? "a corner that is not written as 1, 1/2, 1//3 or 1/2/3" : "a word that is not a decimal number") + "; correct it");
+      fail(path, number,
+           std::string(face ? "a corner that is not written as 1, 1/2, 1//3 or 1/2/3" : "a word that is not a decimal number") +
+               "; correct it");
     words++;
     begin = line.find_first_not_of(blanks, end);
   }
-  if (words < (keyword == "vt" ? 1u : 3u)) fail(path, number, "fewer than three " + std::string(face ? "corners" : "numbers") + "; complete the line");
+  if (words < (keyword == "vt" ? 1u : 3u))
+    fail(path, number, "fewer than three " + std::string(face ? "corners" : "numbers") + "; complete the line");
 }
 
 /* What makes a text no OBJ, or one too large, is found before tinyobjloader builds anything from it. */
@@ -120,8 +121,7 @@ void check_lines(const std::string &path, std::string_view text) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.size() > max_line_bytes)
-      fail(path, number, "a line of more than 65536 characters; save the model as plain text");
+    if (line.size() > max_line_bytes) fail(path, number, "a line of more than 65536 characters; save the model as plain text");
     for (const char c : line) {
       const auto byte = static_cast<unsigned char>(c);
       if ((byte < 0x20 && byte != '\t' && byte != '\r') || byte == 0x7f)
@@ -133,7 +133,8 @@ void check_lines(const std::string &path, std::string_view text) {
   }
 }
 
-/* A read-only stream over bytes that stay where they are, so that a large file is there once: only the lines that are used here. Others (vw, t, l, p, ...) would
+/* A read-only stream over bytes that stay where they are, so that a large file is there once: only the lines that are
+ * used here. Others (vw, t, l, p, ...) would
  * be read by parts of tinyobjloader that trust them. */
 class UsedLines : public std::streambuf {
 public:
@@ -165,8 +166,8 @@ class Materials : public tinyobj::MaterialReader {
 public:
   Materials(std::string directory, std::vector<std::string> &warnings) : directory_(std::move(directory)), warnings_(warnings) {}
 
-  bool operator()(const std::string &name, std::vector<tinyobj::material_t> *materials, std::map<std::string, int> *index,
-                  std::string *, std::string *) override {
+  bool operator()(const std::string &name, std::vector<tinyobj::material_t> *materials, std::map<std::string, int> *index, std::string *,
+                  std::string *) override {
     const std::string path = (std::filesystem::path(directory_) / name).string();
     std::ifstream file;
     std::error_code ignored;
@@ -230,9 +231,7 @@ public:
   }
 
 private:
-  [[noreturn]] void fail_face(const std::string &sentence) const {
-    fail(path_, "face " + std::to_string(face_) + " " + sentence);
-  }
+  [[noreturn]] void fail_face(const std::string &sentence) const { fail(path_, "face " + std::to_string(face_) + " " + sentence); }
 
   /* A face need not be flat, but a polygon must. */
   static void add_triangles(SceneFile &scene, const Polygon &face) {
@@ -307,7 +306,8 @@ SceneFile read_obj_text(const std::string &name, std::string_view text, const st
   if (shapes.size() > 65535) fail(name, "more than 65535 groups; merge some");
   for (std::size_t i = 0; i < shapes.size(); i++) converter.add_shape(scene, shapes[i], static_cast<std::uint16_t>(i + 1));
   if (scene.polygons.empty()) fail(name, "no faces; a model needs lines f");
-  const bool textured = std::any_of(materials.begin(), materials.end(), [](const tinyobj::material_t &m) { return !m.diffuse_texname.empty(); });
+  const bool textured =
+      std::any_of(materials.begin(), materials.end(), [](const tinyobj::material_t &m) { return !m.diffuse_texname.empty(); });
   if (textured) scene.warnings.emplace_back("textures are not drawn; their materials show Kd alone");
   return scene;
 }

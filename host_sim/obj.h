@@ -9,7 +9,8 @@
 
 namespace host {
 
-/* Faces of any number of corners, concave ones too; each o or g is an object, counted from 1. Kd is the colour, 0.8 where there is no material. Normals are
+/* Faces of any number of corners, concave ones too; each o or g is an object, counted from 1. Kd is the colour, 0.8
+ * where there is no material. Normals are
  * kept. Throws UserError "FILE: what is wrong; what to do", with the line or the number of the face. */
 SceneFile read_obj(const std::string &path);
 

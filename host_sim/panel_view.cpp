@@ -36,13 +36,14 @@ void decode(std::uint8_t *rgb, std::uint8_t format, const std::uint8_t *row, std
 
 Image8 panel_picture(const fc_panel &panel, const Picture &picture) {
   if (picture.width != panel.width || picture.height != panel.height)
-    throw UserError(std::string(panel.name) + " has " + std::to_string(panel.width) + "x" + std::to_string(panel.height) + " pixels, the frame " +
-                    std::to_string(picture.width) + "x" + std::to_string(picture.height) + "; leave --size out");
+    throw UserError(std::string(panel.name) + " has " + std::to_string(panel.width) + "x" + std::to_string(panel.height) +
+                    " pixels, the frame " + std::to_string(picture.width) + "x" + std::to_string(picture.height) + "; leave --size out");
   const std::size_t width = panel.width, height = panel.height;
   const std::size_t pitch = fc_display_row_bytes(panel.format, panel.width);
   const bool pages = panel.format == FC_DISPLAY_MONO8;
   std::vector<std::uint8_t> shown(pitch * (pages ? (height + 7) / 8 : height));
-  const int error = fc_display_convert(panel.format, 0, 0, panel.width, panel.height, picture.pixels.data(), 2 * width, shown.data(), pitch);
+  const int error =
+      fc_display_convert(panel.format, 0, 0, panel.width, panel.height, picture.pixels.data(), 2 * width, shown.data(), pitch);
   if (error < 0) throw UserError(std::string(panel.name) + ": " + fc_error_text(error));
   Image8 image{picture.width, picture.height, std::vector<std::uint8_t>(3 * width * height)};
   for (std::size_t y = 0; y < height; y++)

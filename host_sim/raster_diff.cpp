@@ -15,9 +15,7 @@ std::string channel_list(const Raster &raster) {
   return names;
 }
 
-std::string size_text(const Raster &raster) {
-  return std::to_string(raster.width) + "x" + std::to_string(raster.height);
-}
+std::string size_text(const Raster &raster) { return std::to_string(raster.width) + "x" + std::to_string(raster.height); }
 
 std::string mismatch_of(const Raster &a, const Raster &b) {
   if (a.width != b.width || a.height != b.height) return "sizes differ: " + size_text(a) + " and " + size_text(b);
@@ -29,9 +27,7 @@ std::string mismatch_of(const Raster &a, const Raster &b) {
   return "";
 }
 
-bool equal(double a, double b) {
-  return a == b || (std::isnan(a) && std::isnan(b));
-}
+bool equal(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 /* Infinite where one of the two is no number or infinite. */
 double distance(double a, double b) {

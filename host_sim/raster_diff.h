@@ -17,8 +17,9 @@ struct RasterDifference {
   int worst_x = 0, worst_y = 0;
   std::size_t worst_channel = 0;
   double worst = 0;          /* |a - b| of that sample in its own units */
-  std::vector<float> levels; /* a pixel: its largest difference in 8-bit levels: 255 is from black to white, of floats without bounds from the lowest to
-                              * the highest value in either picture; never 0 where any sample differs */
+  /* A pixel: its largest difference in 8-bit levels. 255 is from black to white; of floats and 32-bit integers, from the lowest to the highest
+   * value in either picture. Never 0 where any sample differs. */
+  std::vector<float> levels;
 
   bool same() const { return mismatch.empty() && pixels == 0; }
 };

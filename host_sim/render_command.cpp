@@ -34,9 +34,7 @@ struct RenderOptions : SceneOptions {
   std::vector<std::string> layers;
   int strip_rows = FC_SIZE_MAX, frames = 0, bits = 8, fps = 20;
 
-  bool shows(const std::string &layer) const {
-    return show == layer || std::find(layers.begin(), layers.end(), layer) != layers.end();
-  }
+  bool shows(const std::string &layer) const { return show == layer || std::find(layers.begin(), layers.end(), layer) != layers.end(); }
 };
 
 /* Depth codes as greys for people: stretched so that the farthest surface is a dark grey and the nearest white, in the order
@@ -232,9 +230,7 @@ void add_render_command(CLI::App &app, Action &action) {
                    "write the frame: .png, .ppm, .gif and others in 8 bits a channel; .exr with all layers as channels; with --path "
                    "frame_%04d.png or an animated .gif")
       ->type_name("FRAME.png");
-  command
-      ->add_option("--depth", options->depth_path,
-                   "write the depth codes stretched to 16-bit greys, nearer is brighter")
+  command->add_option("--depth", options->depth_path, "write the depth codes stretched to 16-bit greys, nearer is brighter")
       ->type_name("DEPTH.png");
   command->add_option("--bits", options->bits, "bits a channel of a .png or .tif: 8 (default) or 16")
       ->check(CLI::IsMember({8, 16}))

@@ -45,9 +45,7 @@ unsigned bits_of(std::int32_t v) {
   return bits;
 }
 
-unsigned bits_of(const fc_vec3 &v) {
-  return std::max({bits_of(v.x), bits_of(v.y), bits_of(v.z)});
-}
+unsigned bits_of(const fc_vec3 &v) { return std::max({bits_of(v.x), bits_of(v.y), bits_of(v.z)}); }
 
 /* Names of parts of the core that are linked, or entered, for this scene only because of what it holds. */
 std::vector<std::string> features_of(const CoreScene &core, std::size_t closed_triangles) {
@@ -124,17 +122,19 @@ std::vector<std::string> fact_lines(const SceneFacts &f) {
   std::vector<std::string> lines;
   lines.push_back("Source: " + f.source + ", SHA-256");
   lines.push_back("  " + f.hash);
-  lines.push_back("Holds: " + count_text(f.spheres, "sphere") + ", " + count_text(f.planes, "plane") + ", " + count_text(f.triangles, "triangle") + ", " +
-                  std::to_string(f.vertices) + (f.vertices == 1 ? " vertex, " : " vertices, ") + count_text(f.materials, "material") + ", " +
+  lines.push_back("Holds: " + count_text(f.spheres, "sphere") + ", " + count_text(f.planes, "plane") + ", " +
+                  count_text(f.triangles, "triangle") + ", " + std::to_string(f.vertices) +
+                  (f.vertices == 1 ? " vertex, " : " vertices, ") + count_text(f.materials, "material") + ", " +
                   count_text(f.lights, "light") + ".");
   if (f.cones > 0)
-    lines.push_back(count_text(f.cones, "cone") + " became triangles, within " + number_text(100 * f.cone_error) + " % of the larger radius.");
+    lines.push_back(count_text(f.cones, "cone") + " became triangles, within " + number_text(100 * f.cone_error) +
+                    " % of the larger radius.");
   if (f.triangles > 0)
-    lines.push_back("Mesh: " + std::to_string(f.closed_triangles) + " triangles of closed meshes, " + count_text(f.mesh.boundary_edges, "edge") +
-                    " of one triangle, " + std::to_string(f.mesh.non_manifold_edges) + " of more than two, " + std::to_string(f.mesh.dropped) +
-                    " triangles without area left out.");
-  lines.push_back("Coordinates: " + std::to_string(f.coordinate_bits) + " bits and a sign, of 30; a unit is 2^" + std::to_string(f.exponent - 16) +
-                  " world units.");
+    lines.push_back("Mesh: " + std::to_string(f.closed_triangles) + " triangles of closed meshes, " +
+                    count_text(f.mesh.boundary_edges, "edge") + " of one triangle, " + std::to_string(f.mesh.non_manifold_edges) +
+                    " of more than two, " + std::to_string(f.mesh.dropped) + " triangles without area left out.");
+  lines.push_back("Coordinates: " + std::to_string(f.coordinate_bits) + " bits and a sign, of 30; a unit is 2^" +
+                  std::to_string(f.exponent - 16) + " world units.");
   const std::size_t flash = f.table_bytes + f.hierarchy_bytes;
   std::string line = "Flash: " + std::to_string(flash) + " bytes, " + std::to_string(f.hierarchy_bytes) + " of them the hierarchy";
   if (f.triangles > 0 && f.spheres == 0) {

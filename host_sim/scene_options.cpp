@@ -16,7 +16,8 @@ namespace {
 
 bool is_obj(const std::string &path) {
   std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   return extension == ".obj";
 }
 
@@ -35,19 +36,15 @@ std::optional<int> positive(const std::string &text, int limit) {
 void set_size(LoadedScene &scene, const std::string &text) {
   if (text.empty()) {
     const SceneFile &file = scene.file;
-    const bool stated =
-        file.width >= 1 && file.width <= FC_SIZE_MAX && file.height >= 1 && file.height <= FC_SIZE_MAX;
+    const bool stated = file.width >= 1 && file.width <= FC_SIZE_MAX && file.height >= 1 && file.height <= FC_SIZE_MAX;
     scene.width = stated ? file.width : 128;
     scene.height = stated ? file.height : 128;
     return;
   }
   const std::size_t x = text.find('x');
   const std::optional<int> width = positive(text.substr(0, x), FC_SIZE_MAX);
-  const std::optional<int> height =
-      x == std::string::npos ? std::nullopt : positive(text.substr(x + 1), FC_SIZE_MAX);
-  if (!width || !height)
-    throw UserError("--size " + text +
-                    " is not a frame size; give WIDTHxHEIGHT, each 1 to 4096, such as 128x128");
+  const std::optional<int> height = x == std::string::npos ? std::nullopt : positive(text.substr(x + 1), FC_SIZE_MAX);
+  if (!width || !height) throw UserError("--size " + text + " is not a frame size; give WIDTHxHEIGHT, each 1 to 4096, such as 128x128");
   scene.width = *width;
   scene.height = *height;
 }
@@ -85,10 +82,8 @@ void set_world_scale(SceneFile &file, const std::string &text) {
   constexpr int limit = 1 << 30;
   const std::size_t slash = text.find('/');
   const std::optional<int> numerator = positive(text.substr(0, slash), limit);
-  const std::optional<int> denominator =
-      slash == std::string::npos ? std::optional<int>(1) : positive(text.substr(slash + 1), limit);
-  if (!numerator || !denominator)
-    throw UserError("--world-scale " + text + " is not a scale; give N or N/D, each 1 to 2^30, such as 1/64");
+  const std::optional<int> denominator = slash == std::string::npos ? std::optional<int>(1) : positive(text.substr(slash + 1), limit);
+  if (!numerator || !denominator) throw UserError("--world-scale " + text + " is not a scale; give N or N/D, each 1 to 2^30, such as 1/64");
   file.scale_numerator = *numerator;
   file.scale_denominator = *denominator;
 }
@@ -121,16 +116,18 @@ void add_view_options(CLI::App &command, SceneOptions &options) {
   add("--at", view.at, "what it looks at", "X,Y,Z");
   add("--up", view.up, "what is up", "X,Y,Z");
   add("--angle", view.angle, "field of view across the shorter side", "DEGREES");
-  command.add_option("--light", view.lights, "a light instead of the scene's; may be repeated")->type_name("X,Y,Z[,R,G,B]")->group(group)->allow_extra_args(false);
+  command.add_option("--light", view.lights, "a light instead of the scene's; may be repeated")
+      ->type_name("X,Y,Z[,R,G,B]")
+      ->group(group)
+      ->allow_extra_args(false);
   add("--ambient", view.ambient, "ambient light", "A or R,G,B");
   add("--background", view.background, "background colour, 0 to 1", "A or R,G,B");
 }
 
 void add_offset_option(CLI::App &command, SceneOptions &options) {
   command
-      .add_option(
-          "--offset", options.offset,
-          "how shadow rays leave a surface: exact (default), residual, none or epsilon=N in world units")
+      .add_option("--offset", options.offset,
+                  "how shadow rays leave a surface: exact (default), residual, none or epsilon=N in world units")
       ->type_name("RULE");
 }
 
@@ -157,9 +154,7 @@ void add_bvh_option(CLI::App &command, SceneOptions &options) {
       ->type_name("CHOICE");
 }
 
-void add_json_option(CLI::App &command, SceneOptions &options) {
-  command.add_flag("--json", options.json, "print one JSON object");
-}
+void add_json_option(CLI::App &command, SceneOptions &options) { command.add_flag("--json", options.json, "print one JSON object"); }
 
 LoadedScene load_scene(const SceneOptions &options) {
   LoadedScene unread;
@@ -174,8 +169,7 @@ LoadedScene load_scene(const SceneOptions &options) {
   if (mesh.non_manifold_edges > 0 && is_obj(options.scene))
     scene.file.warnings.push_back(std::to_string(mesh.non_manifold_edges) +
                                   " edges are shared by more than two triangles; the model is no closed surface there");
-  for (const std::string &warning : scene.file.warnings)
-    (void)std::fprintf(stderr, "%s: %s\n", options.scene.c_str(), warning.c_str());
+  for (const std::string &warning : scene.file.warnings) (void)std::fprintf(stderr, "%s: %s\n", options.scene.c_str(), warning.c_str());
   return scene;
 }
 

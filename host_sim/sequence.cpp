@@ -31,9 +31,7 @@ Place find_place(const std::string &path) {
 
 } // namespace
 
-bool is_sequence_name(const std::string &path) {
-  return find_place(path).length > 0;
-}
+bool is_sequence_name(const std::string &path) { return find_place(path).length > 0; }
 
 std::string sequence_name(const std::string &path, int number) {
   const Place place = find_place(path);

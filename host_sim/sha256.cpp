@@ -10,9 +10,7 @@ namespace {
 
 using State = std::array<std::uint32_t, 8>;
 
-std::uint32_t rotated(std::uint32_t v, unsigned n) {
-  return v >> n | v << (32 - n);
-}
+std::uint32_t rotated(std::uint32_t v, unsigned n) { return v >> n | v << (32 - n); }
 
 /* floor(2^32 * fraction of the root) of the first primes is what the standard's constants are; found here instead of copied. */
 std::uint32_t root_fraction(std::uint32_t prime, int power) {
@@ -48,15 +46,16 @@ struct Constants {
 void add_block(State &state, const unsigned char *block, const Constants &constants) {
   std::array<std::uint32_t, 64> w{};
   for (std::size_t i = 0; i < 16; i++)
-    w[i] = std::uint32_t{block[4 * i]} << 24 | std::uint32_t{block[4 * i + 1]} << 16 | std::uint32_t{block[4 * i + 2]} << 8 | block[4 * i + 3];
+    w[i] =
+        std::uint32_t{block[4 * i]} << 24 | std::uint32_t{block[4 * i + 1]} << 16 | std::uint32_t{block[4 * i + 2]} << 8 | block[4 * i + 3];
   for (std::size_t i = 16; i < 64; i++) {
     const std::uint32_t a = w[i - 15], b = w[i - 2];
     w[i] = w[i - 16] + (rotated(a, 7) ^ rotated(a, 18) ^ a >> 3) + w[i - 7] + (rotated(b, 17) ^ rotated(b, 19) ^ b >> 10);
   }
   State s = state;
   for (std::size_t i = 0; i < 64; i++) {
-    const std::uint32_t t1 = s[7] + (rotated(s[4], 6) ^ rotated(s[4], 11) ^ rotated(s[4], 25)) + ((s[4] & s[5]) ^ (~s[4] & s[6])) +
-                             constants.round[i] + w[i];
+    const std::uint32_t t1 =
+        s[7] + (rotated(s[4], 6) ^ rotated(s[4], 11) ^ rotated(s[4], 25)) + ((s[4] & s[5]) ^ (~s[4] & s[6])) + constants.round[i] + w[i];
     const std::uint32_t t2 = (rotated(s[0], 2) ^ rotated(s[0], 13) ^ rotated(s[0], 22)) + ((s[0] & s[1]) ^ (s[0] & s[2]) ^ (s[1] & s[2]));
     s = {t1 + t2, s[0], s[1], s[2], s[3] + t1, s[4], s[5], s[6]};
   }

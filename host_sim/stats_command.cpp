@@ -13,7 +13,8 @@ namespace {
 int run_stats(const SceneOptions &options) {
   const SceneFacts facts = scene_facts(load_scene(options));
   std::string text;
-  if (options.json) text = fact_json(facts);
+  if (options.json)
+    text = fact_json(facts);
   else
     for (const std::string &line : fact_lines(facts)) text += line + "\n";
   (void)std::fputs(text.c_str(), stdout);

@@ -10,9 +10,7 @@ namespace {
 
 constexpr std::int64_t one = std::int64_t{1} << 30;
 /* a * b / 2^30, rounded to nearest; |a * b| below 2^62. */
-std::int64_t times(std::int64_t a, std::int64_t b) {
-  return (a * b + one / 2) >> 30;
-}
+std::int64_t times(std::int64_t a, std::int64_t b) { return (a * b + one / 2) >> 30; }
 
 std::uint64_t root(std::uint64_t v) {
   std::uint64_t result = 0;

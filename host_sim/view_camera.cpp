@@ -94,9 +94,7 @@ fc_camera ViewCamera::camera() const {
   return camera;
 }
 
-void ViewCamera::begin_drag() {
-  before_drag_ = turn_;
-}
+void ViewCamera::begin_drag() { before_drag_ = turn_; }
 
 void ViewCamera::roll(int x0, int y0, int x, int y, int width, int height) {
   /* Half pixels from the middle, up being positive. */
@@ -126,9 +124,7 @@ void ViewCamera::pan(int dx, int dy, int width, int height) {
   }
 }
 
-void ViewCamera::dolly(int steps) {
-  nearer_ = std::clamp(nearer_ + steps, -most_steps, most_steps);
-}
+void ViewCamera::dolly(int steps) { nearer_ = std::clamp(nearer_ + steps, -most_steps, most_steps); }
 
 void ViewCamera::spin(std::uint16_t angle) {
   fc_rotation turn{};

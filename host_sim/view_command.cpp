@@ -39,7 +39,9 @@ void add_view_command(CLI::App &app, Action &action) {
   command->add_option("--display", options->display, "show what this panel would: its size, pixel format and dither")
       ->check(CLI::IsMember(panel_names()))
       ->type_name("PANEL");
-  command->add_option("--zoom", options->window.zoom, "screen pixels a pixel; default: as many as fit well")->check(CLI::Range(1, 32))->type_name("N");
+  command->add_option("--zoom", options->window.zoom, "screen pixels a pixel; default: as many as fit well")
+      ->check(CLI::Range(1, 32))
+      ->type_name("N");
   command->add_flag("--spin", options->window.spin, "let the scene turn from the start");
   command->add_option("--frames", options->window.frames, "quit after so many pictures of the turning scene, and say how fast they were")
       ->check(CLI::Range(1, 1000000))

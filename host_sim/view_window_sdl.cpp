@@ -34,17 +34,15 @@ struct Destroy {
   void operator()(T *object) const { destroy(object); }
 };
 
-double milliseconds(Clock::duration time) {
-  return std::chrono::duration<double, std::milli>(time).count();
-}
+double milliseconds(Clock::duration time) { return std::chrono::duration<double, std::milli>(time).count(); }
 
 class Window {
 public:
   Window(Viewer &viewer, const WindowOptions &options) : viewer_(viewer), options_(options), turning_(options.spin || options.frames > 0) {
     if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no window");
     zoom_ = options.zoom > 0 ? options.zoom : fitting_zoom();
-    window_.reset(SDL_CreateWindow("fixcast", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, zoom_ * viewer.width(), zoom_ * viewer.height(),
-                                   SDL_WINDOW_RESIZABLE));
+    window_.reset(SDL_CreateWindow("fixcast", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, zoom_ * viewer.width(),
+                                   zoom_ * viewer.height(), SDL_WINDOW_RESIZABLE));
     if (!window_) fail("no window");
     SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
     renderer_.reset(SDL_CreateRenderer(window_.get(), -1, 0));
@@ -74,8 +72,8 @@ public:
     }
     const double seconds = milliseconds(Clock::now() - start) / 1000;
     if (options_.log || options_.frames > 0)
-      (void)std::printf("%d pictures in %.2f s, %.1f a second; at most %.1f ms from input to picture, %.1f for a picture\n", pictures_, seconds,
-                        pictures_ / seconds, longest_wait_, longest_picture_);
+      (void)std::printf("%d pictures in %.2f s, %.1f a second; at most %.1f ms from input to picture, %.1f for a picture\n", pictures_,
+                        seconds, pictures_ / seconds, longest_wait_, longest_picture_);
     return 0;
   }
 
@@ -200,8 +198,8 @@ private:
     SDL_SetWindowTitle(window_.get(), ("fixcast " + viewer_.status() + rate).c_str());
     if (options_.log) {
       const auto crc = static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), picture_.rgb.data(), picture_.rgb.size()));
-      (void)std::printf("picture %d crc %s zoom %d grid %d turning %d; %s\n", pictures_, hex_text(crc).c_str(), zoom_, grid_ ? 1 : 0, turning_ ? 1 : 0,
-                        viewer_.status().c_str());
+      (void)std::printf("picture %d crc %s zoom %d grid %d turning %d; %s\n", pictures_, hex_text(crc).c_str(), zoom_, grid_ ? 1 : 0,
+                        turning_ ? 1 : 0, viewer_.status().c_str());
       (void)std::fflush(stdout);
     }
   }
@@ -210,14 +208,17 @@ private:
   void present() {
     int width = 0, height = 0;
     SDL_GetRendererOutputSize(renderer_.get(), &width, &height);
-    const SDL_Rect to = {(width - zoom_ * viewer_.width()) / 2, (height - zoom_ * viewer_.height()) / 2, zoom_ * viewer_.width(), zoom_ * viewer_.height()};
+    const SDL_Rect to = {(width - zoom_ * viewer_.width()) / 2, (height - zoom_ * viewer_.height()) / 2, zoom_ * viewer_.width(),
+                         zoom_ * viewer_.height()};
     SDL_SetRenderDrawColor(renderer_.get(), 40, 40, 40, 255);
     SDL_RenderClear(renderer_.get());
     SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, &to);
     if (grid_ && zoom_ >= 3) {
       SDL_SetRenderDrawColor(renderer_.get(), 90, 90, 90, 255);
-      for (int x = 0; x <= viewer_.width(); x++) SDL_RenderDrawLine(renderer_.get(), to.x + x * zoom_, to.y, to.x + x * zoom_, to.y + to.h - 1);
-      for (int y = 0; y <= viewer_.height(); y++) SDL_RenderDrawLine(renderer_.get(), to.x, to.y + y * zoom_, to.x + to.w - 1, to.y + y * zoom_);
+      for (int x = 0; x <= viewer_.width(); x++)
+        SDL_RenderDrawLine(renderer_.get(), to.x + x * zoom_, to.y, to.x + x * zoom_, to.y + to.h - 1);
+      for (int y = 0; y <= viewer_.height(); y++)
+        SDL_RenderDrawLine(renderer_.get(), to.x, to.y + y * zoom_, to.x + to.w - 1, to.y + y * zoom_);
     }
     SDL_RenderPresent(renderer_.get());
   }
@@ -249,8 +250,6 @@ private:
 
 } // namespace
 
-int run_window(Viewer &viewer, const WindowOptions &options) {
-  return Window(viewer, options).run();
-}
+int run_window(Viewer &viewer, const WindowOptions &options) { return Window(viewer, options).run(); }
 
 } // namespace host

@@ -39,20 +39,18 @@ Viewer::Viewer(LoadedScene scene, const fc_panel *panel)
   }
 }
 
-void Viewer::next_profile() {
-  scene_.options.profile = static_cast<std::uint8_t>((scene_.options.profile + 1) % profile_names.size());
-}
+void Viewer::next_profile() { scene_.options.profile = static_cast<std::uint8_t>((scene_.options.profile + 1) % profile_names.size()); }
 
 void Viewer::next_offset() {
   offset_ = (offset_ + 1) % static_cast<int>(offset_names.size());
-  scene_.options.offset_rule = static_cast<std::uint8_t>(offset_ == 0 ? FC_OFFSET_EXACT : offset_ == 1 ? FC_OFFSET_NONE : FC_OFFSET_EPSILON);
+  scene_.options.offset_rule = static_cast<std::uint8_t>(offset_ == 0   ? FC_OFFSET_EXACT
+                                                         : offset_ == 1 ? FC_OFFSET_NONE
+                                                                        : FC_OFFSET_EPSILON);
   scene_.options.epsilon = offset_ == 2 ? FC_COORDINATE_MAX / 256 : 0;
   scene_.options.epsilon_exponent = 0;
 }
 
-void Viewer::toggle_panel() {
-  on_panel_ = panel_ != nullptr && !on_panel_;
-}
+void Viewer::toggle_panel() { on_panel_ = panel_ != nullptr && !on_panel_; }
 
 /* An eye within the box of a closed mesh might be inside the mesh, and then sees its back faces. */
 void Viewer::guard_back_faces() {
@@ -94,9 +92,9 @@ Image8 Viewer::draw() {
 }
 
 const Image8 &Viewer::render() {
-  status_ = std::filesystem::path(scene_.file.path).filename().string() + " " + std::to_string(scene_.width) + "x" + std::to_string(scene_.height) +
-            ", " + (on_panel_ && layer_ == "color" ? panel_->name : layer_) + ", " + profile_names.at(scene_.options.profile) + " profile, " +
-            offset_names.at(static_cast<std::size_t>(offset_));
+  status_ = std::filesystem::path(scene_.file.path).filename().string() + " " + std::to_string(scene_.width) + "x" +
+            std::to_string(scene_.height) + ", " + (on_panel_ && layer_ == "color" ? panel_->name : layer_) + ", " +
+            profile_names.at(scene_.options.profile) + " profile, " + offset_names.at(static_cast<std::size_t>(offset_));
   try {
     picture_ = draw();
   } catch (const UserError &error) {

@@ -173,7 +173,8 @@ def check_paths(simulator, directory, report):
 
 
 def check_same_bytes(simulator, directory, report):
-    for name, options in (("r.png", ()), ("r16.png", ("--bits", 16)), ("r.exr", ()), ("r.gif", ("--path", "turntable", "--frames", 3)), ("r.tif", ())):
+    for name, options in (("r.png", ()), ("r16.png", ("--bits", 16)), ("r.exr", ()),
+                          ("r.gif", ("--path", "turntable", "--frames", 3)), ("r.tif", ())):
         path, copies = directory / name, []
         for zone in ("UTC", "Asia/Tokyo"):
             subprocess.run([simulator, "render", str(S1), "--size", "40x30", "-o", str(path), *map(str, options)], check=True,
@@ -298,7 +299,8 @@ def check_progress(simulator, directory, report):
 
 def main(simulator):
     report = Report()
-    for check in (check_png, check_exr, check_depth, check_gif, check_paths, check_same_bytes, check_diff, check_compare_picture, check_display, check_progress):
+    for check in (check_png, check_exr, check_depth, check_gif, check_paths, check_same_bytes, check_diff,
+                  check_compare_picture, check_display, check_progress):
         with tempfile.TemporaryDirectory() as directory:
             check(simulator, pathlib.Path(directory), report)
     return report.finish()

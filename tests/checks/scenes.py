@@ -91,7 +91,8 @@ def check_cone(simulator, directory, report):
             elif true is not None and thin is not None and abs(thin - true) < 0.5:
                 inside += 1
                 low, high = min(true, thin), max(true, thin) # the far side is seen through an open end
-                report.check(seen == 1 and low * (1 - 1e-4) <= z <= high * (1 + 1e-4), f"cone {base}: pixel {i} shows {seen} at {z}, not {true} to {thin}")
+                report.check(seen == 1 and low * (1 - 1e-4) <= z <= high * (1 + 1e-4),
+                             f"cone {base}: pixel {i} shows {seen} at {z}, not {true} to {thin}")
             else:
                 between += 1
         report.check(inside > 200 and outside > 1000 and between < inside, f"cone {base}: {inside} inside, {outside} outside, {between} between")
@@ -153,7 +154,12 @@ def check_model(simulator, directory, report):
     report.equal("a model and the same as NFF", fixcast_json(simulator, "render", scene), fixcast_json(simulator, "render", model, *HOUSE_VIEW))
     # The view's options on an NFF file: the same as in the file.
     other = directory / "other.nff"
-    other.write_text(text.replace("from -3 2 4", "from 9 9 9").replace("at 0 0.5 -0.5", "at 1 2 3").replace("angle 45", "angle 10").replace("l 0 4 3", "l 1 1 1\nl 2 2 2").replace("b 0.1 0.2 0.3", "b 1 1 1").replace("ambient 0.2", "ambient 1"))
+    changed = text
+    for was, now in (("from -3 2 4", "from 9 9 9"), ("at 0 0.5 -0.5", "at 1 2 3"), ("angle 45", "angle 10"), ("l 0 4 3", "l 1 1 1\nl 2 2 2"),
+                     ("b 0.1 0.2 0.3", "b 1 1 1"), ("ambient 0.2", "ambient 1")):
+        report.check(was in changed, f"no {was} in the scene")
+        changed = changed.replace(was, now)
+    other.write_text(changed)
     report.equal("an NFF scene with another view", crc(simulator, scene), crc(simulator, other, *HOUSE_VIEW))
     # Faces without area and without influence.
     model.write_text(broken + "v 0.5 0.5 0\nv 0.25 0.25 0\nv 0 0 0\nf 9 10 11\nf 9 9 10\nf 1 2 3\n")

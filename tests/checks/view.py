@@ -106,7 +106,8 @@ def check_mouse(simulator, view, directory, report, still):
     view.mouse(275, 150)
     rolled = view.settled()
     distance, angle = EYE - PIVOT, math.radians(30)
-    expected = render(simulator, directory, "--from", f"{-distance * math.sin(angle):.9f},1.5,{PIVOT + distance * math.cos(angle):.9f}", "--at", f"0,1.5,{PIVOT}")
+    expected = render(simulator, directory, "--from", f"{-distance * math.sin(angle):.9f},1.5,{PIVOT + distance * math.cos(angle):.9f}",
+                      "--at", f"0,1.5,{PIVOT}")
     report.at_most("a roll by 30 degrees to the right", 0.01, unlike(shot(view, directory), expected))
     report.check(unlike(render(simulator, directory), expected) > 0.1, "the roll hardly changes the picture: no check")
     view.mouse(200, 150)
@@ -116,7 +117,8 @@ def check_mouse(simulator, view, directory, report, still):
     view.mouse(200, 190)
     view.settled()
     angle = math.asin(40 / 150)
-    expected = render(simulator, directory, "--from", f"0,{1.5 + distance * math.sin(angle):.9f},{PIVOT + distance * math.cos(angle):.9f}", "--at", f"0,1.5,{PIVOT}")
+    expected = render(simulator, directory, "--at", f"0,1.5,{PIVOT}",
+                      "--from", f"0,{1.5 + distance * math.sin(angle):.9f},{PIVOT + distance * math.cos(angle):.9f}")
     report.at_most("a roll downwards", 0.01, unlike(shot(view, directory), expected))
     view.screen.do("mouseup", 1)
     view.key("r")
@@ -126,7 +128,8 @@ def check_mouse(simulator, view, directory, report, still):
     view.screen.do("click", "--repeat", 3, 4)
     view.settled()
     nearer = PIVOT + distance * (10 / 11) ** 3
-    report.at_most("three steps nearer", 0.01, unlike(shot(view, directory), render(simulator, directory, "--from", f"0,1.5,{nearer:.9f}", "--at", f"0,1.5,{PIVOT - 9}")))
+    expected = render(simulator, directory, "--from", f"0,1.5,{nearer:.9f}", "--at", f"0,1.5,{PIVOT - 9}")
+    report.at_most("three steps nearer", 0.01, unlike(shot(view, directory), expected))
     view.screen.do("click", "--repeat", 3, 5)
     report.equal("and three back", still, view.settled()[0])
 
@@ -137,7 +140,8 @@ def check_mouse(simulator, view, directory, report, still):
     view.screen.do("mouseup", 3)
     across, up = distance * 2 * 0.5 / HEIGHT * 10, distance * 2 * 0.5 / HEIGHT * 5
     place = f"{-across:.9f},{1.5 - up:.9f}"
-    report.at_most("moved by 10 and 5 pixels", 0.01, unlike(shot(view, directory), render(simulator, directory, "--from", f"{place},1", "--at", f"{place},0")))
+    expected = render(simulator, directory, "--from", f"{place},1", "--at", f"{place},0")
+    report.at_most("moved by 10 and 5 pixels", 0.01, unlike(shot(view, directory), expected))
     view.key("r")
     report.equal("reset after a move", still, view.settled()[0])
 
@@ -181,8 +185,8 @@ def check_keys(simulator, view, directory, report, still):
 
     view.key("n")
     one = view.settled()
-    expected = render(simulator, directory, "--from", f"{-(EYE - PIVOT) * math.sin(math.tau / 128):.9f},1.5,{PIVOT + (EYE - PIVOT) * math.cos(math.tau / 128):.9f}",
-                      "--at", f"0,1.5,{PIVOT}")
+    across, along = (EYE - PIVOT) * math.sin(math.tau / 128), (EYE - PIVOT) * math.cos(math.tau / 128)
+    expected = render(simulator, directory, "--from", f"{-across:.9f},1.5,{PIVOT + along:.9f}", "--at", f"0,1.5,{PIVOT}")
     report.at_most("one step of the turn", 0.01, unlike(shot(view, directory), expected))
     view.key("space")
     crcs = {view.next()[0] for _ in range(12)}
@@ -217,7 +221,8 @@ def check_panel(simulator, screen, directory, report):
 
 def check_rate(simulator, screen, report):
     for scene in (S1, SCENES / "pawn.obj"):
-        run = subprocess.run([simulator, "view", str(scene), "--size", "240x240", "--frames", "60"], env=screen.environment, capture_output=True, text=True)
+        command = [simulator, "view", str(scene), "--size", "240x240", "--frames", "60"]
+        run = subprocess.run(command, env=screen.environment, capture_output=True, text=True)
         print(f"{scene.name} 240x240: {run.stdout.strip()}")
         report.check(run.returncode == 0 and run.stdout.startswith("60 pictures in"), f"{scene.name}: {run.stdout}{run.stderr}")
 

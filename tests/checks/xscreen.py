@@ -52,7 +52,8 @@ class Screen:
         x = ctypes.CDLL("libX11.so.6")
         x.XOpenDisplay.restype = ctypes.c_void_p
         x.XGetImage.restype = ctypes.POINTER(XImage)
-        x.XGetImage.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_int, ctypes.c_uint, ctypes.c_uint, ctypes.c_ulong, ctypes.c_int]
+        x.XGetImage.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_int, ctypes.c_uint, ctypes.c_uint, ctypes.c_ulong,
+                                ctypes.c_int]
         x.XCloseDisplay.argtypes = [ctypes.c_void_p]
         display = x.XOpenDisplay(self.name.encode())
         image = x.XGetImage(display, window, 0, 0, width, height, 0xffffffff, 2).contents
