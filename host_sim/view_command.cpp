@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "commands.h"
+#include "panel_list.h"
 #include "panel_view.h"
 #include "scene_options.h"
 #include "sequence.h"
@@ -21,7 +22,7 @@ struct ViewCommandOptions : SceneOptions {
 int run_view(ViewCommandOptions options) {
   if (!is_sequence_name(options.window.shots))
     throw UserError("--shots " + options.window.shots + " has no place for a number; write it as in view_%04d.png");
-  const fc_panel *const panel = find_panel(options.display);
+  const fc_panel *const panel = options.display.empty() ? nullptr : &find_panel(options.display);
   if (panel != nullptr && options.size.empty()) options.size = std::to_string(panel->width) + "x" + std::to_string(panel->height);
   Viewer viewer(load_scene(options), panel);
   viewer.render(); /* what the core refuses is said before a window opens */

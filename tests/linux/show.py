@@ -96,10 +96,10 @@ def check_orbit(report, show, directory):
             coordinates = [0, 0, 0]
             coordinates[axis], coordinates[(axis + 1) % 3], coordinates[(axis + 2) % 3] = up, ahead, aside
             return " ".join(map(str, coordinates))
-        spheres = {"a": place(0, 1, 1), "b": place(1.5, 2.5, 0.25), "c": place(0.25, 0.5, -0.5)}  # the box around all: 0..3 and -1..2
-        middle = (1.5, 0.5)
+        spheres = {"a": place(0, 1, 1), "b": place(1.5, 2.5, 0.25), "c": place(0.25, 0.5, -0.5)}
+        middle = (1.5, 0.5)  # of the box around all, 0..3 and -1..2; the view goes through it, so that the camera goes round it
         frames = []
-        start = ((0.5, -7, 2), (0.25, 1, 0.5), (8, 1, 2))
+        start = ((0.5, -7, 0.5), (0.5, 1, 0.5), (8, 0, 0))
 
         def turned(point, centre):
             up, ahead, aside = point
