@@ -71,7 +71,7 @@ def check_panels(report, show):
 def check_stream(report, show):
     """The summary of a stream, from what is known of the ST7789: reset, initialisation, window, pixels, off."""
     text = show.dry(SCENES / "s1.nff", "--panel", "st7789-240", "--reset", "x", "--backlight", "y", "--frames", "2", "--hz", "40000000")
-    order = [r"reset low", r"wait [\d.]+ ms", r"reset high", r"01", r"11", r"wait 120 ms", r"3A 55", r"29", r"clock 40000000 Hz, SPI mode 0",
+    order = [r"reset low", r"wait [\d.]+ ms", r"reset high", r"01", r"11", r"wait 120 ms", r"3A 55", r"29", r"clock 40000000 Hz, SPI mode [03]",
              r"2A 00 00 00 ef", r"2B 00 00 00 ef",
              r"2C \+ 115200 bytes, crc32 \w+", r"backlight on", r"2C \+ 115200 bytes, crc32 \w+", r"backlight off",
              r"28", r"10", r"in all: \d+ commands, \d+ data bytes, crc32 \w+ "]
