@@ -47,6 +47,71 @@ constexpr double max_coordinate = 1e30;
   throw UserError(path + ":" + std::to_string(line) + ": " + sentence);
 }
 
+/* The word that a line begins with. */
+std::string_view keyword_of(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  return line.substr(0, line.find_first_of(" \t\r\n"));
+}
+
+/* Splits the leading digits off. */
+std::size_t take_digits(std::string_view &text) {
+  const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
+  text.remove_prefix(count);
+  return count;
+}
+
+void take_sign(std::string_view &text) {
+  if (!text.empty() && (text[0] == '-' || text[0] == '+')) text.remove_prefix(1);
+}
+
+/* A decimal with an exponent of at most three digits. */
+bool is_number(std::string_view text) {
+  take_sign(text);
+  std::size_t digits = take_digits(text);
+  if (!text.empty() && text[0] == '.') {
+    text.remove_prefix(1);
+    digits += take_digits(text);
+  }
+  if (digits == 0) return false;
+  if (text.empty()) return true;
+  if (text[0] != 'e' && text[0] != 'E') return false;
+  text.remove_prefix(1);
+  take_sign(text);
+  const std::size_t exponent = take_digits(text);
+  return text.empty() && exponent >= 1 && exponent <= 3;
+}
+
+/* A corner of a face: 1, 1/2, 1//3 or 1/2/3, each number of at most nine digits, perhaps negative. */
+bool is_corner(std::string_view text) {
+  for (int part = 0; part < 3; part++) {
+    if (!text.empty() && text[0] == '-') text.remove_prefix(1);
+    const std::size_t digits = take_digits(text);
+    if (digits > 9 || (digits == 0 && part != 1)) return false;
+    if (text.empty()) return digits > 0;
+    if (text[0] != '/') return false;
+    text.remove_prefix(1);
+  }
+  return false;
+}
+
+/* What stands behind the keyword, word by word: tinyobjloader takes a wrong number for 0, and a huge exponent overflows in it. */
+void check_words(const std::string &path, std::size_t number, std::string_view keyword, std::string_view line) {
+  const bool face = keyword == "f", numbers = keyword == "v" || keyword == "vn" || keyword == "vt";
+  if (!face && !numbers) return;
+  constexpr const char *blanks = " \t\r";
+  std::size_t words = 0;
+  line.remove_prefix(static_cast<std::size_t>(keyword.data() - line.data()) + keyword.size());
+  for (std::size_t begin = line.find_first_not_of(blanks); begin != std::string_view::npos && line[begin] != '#';) {
+    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
+    const std::string_view word = line.substr(begin, end - begin);
+    if (face ? !is_corner(word) : !is_number(word))
+      fail(path, number, std::string(face ? "a corner that is not written as 1, 1/2, 1//3 or 1/2/3" : "a word that is not a decimal number") + "; correct it");
+    words++;
+    begin = line.find_first_not_of(blanks, end);
+  }
+  if (words < (keyword == "vt" ? 1u : 3u)) fail(path, number, "fewer than three " + std::string(face ? "corners" : "numbers") + "; complete the line");
+}
+
 /* What makes a text no OBJ, or one too large, is found before tinyobjloader builds anything from it. */
 void check_lines(const std::string &path, std::string_view text) {
   std::size_t faces = 0, number = 0;
@@ -62,20 +127,37 @@ void check_lines(const std::string &path, std::string_view text) {
       if ((byte < 0x20 && byte != '\t' && byte != '\r') || byte == 0x7f)
         fail(path, number, "not a text file; save the model as Wavefront OBJ");
     }
-    const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
-    const std::string_view word = line.substr(first, 2);
-    if ((word == "f " || word == "f\t") && ++faces > max_faces)
-      fail(path, number, "more than 65535 faces; simplify the model");
+    const std::string_view keyword = keyword_of(line);
+    if (keyword == "f" && ++faces > max_faces) fail(path, number, "more than 65535 faces; simplify the model");
+    check_words(path, number, keyword, line);
   }
 }
 
-/* A read-only stream over bytes that stay where they are: no second copy of a large file. */
-class Bytes : public std::streambuf {
+/* A read-only stream over bytes that stay where they are, so that a large file is there once: only the lines that are used here. Others (vw, t, l, p, ...) would
+ * be read by parts of tinyobjloader that trust them. */
+class UsedLines : public std::streambuf {
 public:
-  explicit Bytes(std::string_view text) {
-    char *const begin = const_cast<char *>(text.data()); /* only read from */
-    setg(begin, begin, begin + text.size());
+  explicit UsedLines(std::string_view text) : rest_(text) {}
+
+protected:
+  int_type underflow() override {
+    while (!rest_.empty()) {
+      const std::size_t end = rest_.find('\n');
+      const std::string_view line = rest_.substr(0, end == std::string_view::npos ? rest_.size() : end + 1);
+      rest_.remove_prefix(line.size());
+      const std::string_view keyword = keyword_of(line);
+      for (const char *const used : {"v", "vn", "vt", "f", "o", "g", "usemtl", "mtllib"}) {
+        if (keyword != used) continue;
+        char *const begin = const_cast<char *>(line.data()); /* only read from */
+        setg(begin, begin, begin + line.size());
+        return traits_type::to_int_type(*begin);
+      }
+    }
+    return traits_type::eof();
   }
+
+private:
+  std::string_view rest_;
 };
 
 /* Materials from beside the model; what is missing is told, and grey. */
@@ -214,8 +296,8 @@ SceneFile read_obj_text(const std::string &name, std::string_view text, const st
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;
   std::string warning, error;
-  Bytes bytes(text);
-  std::istream stream(&bytes);
+  UsedLines lines(text);
+  std::istream stream(&lines);
   if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, &reader, false, false)) {
     std::replace(error.begin(), error.end(), '\n', ' ');
     fail(name, "not a readable OBJ: " + error + "; save the model again");

@@ -5,7 +5,6 @@
 
 #include "commands.h"
 #include "panel_list.h"
-#include "panel_view.h"
 #include "scene_options.h"
 #include "sequence.h"
 #include "view_window.h"

@@ -10,11 +10,10 @@
 #include <string.h>
 
 /*
- * FC_ROM: attribute of constant tables. FC_READ(to, from, bytes): copies an object of constant data to RAM; both are pointers to its
- * type.
+ * FC_ROM: attribute of constant tables. FC_READ(to, from, bytes): copies constant data to RAM.
  *
- * Everything constant that the core looks at (scenes, kinds of shape) is read through FC_READ, so that chips
- * whose flash is not in the data address space only need these two. Default: AVR's program memory on AVR,
+ * Everything constant that the core looks at (scenes, kinds of shape) is read through these, so that chips
+ * whose flash is not in the data address space only need the first two. Default: AVR's program memory on AVR,
  * plain memory elsewhere. Define FC_ROM_FAR with them where constant data cannot be read through a pointer.
  */
 #if defined(__AVR__) && !defined(FC_READ)
@@ -27,7 +26,7 @@
 #define FC_ROM
 #endif
 #ifndef FC_READ
-#define FC_READ(to, from, bytes) ((void)(*(to) = *(from))) /* of a type: short ones need no call */
+#define FC_READ(to, from, bytes) ((void)memcpy((to), (from), (bytes)))
 #endif
 
 /* A pointer that is known to be a multiple of 4, or of 2. */

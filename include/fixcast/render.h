@@ -57,6 +57,7 @@ typedef struct fc_frame {
   fc_scene scene; /* the scene's own fields, copied: the tables stay where they are */
   void *memory;
   const int64_t *lights; /* in memory: camera-space positions, three a light */
+  const uint8_t *casters; /* in memory: a bit a node of the hierarchy, whether anything below casts shadows; NULL: all do */
   fc_view view;
   fc_options options;
   uint16_t width, height; /* of what is drawn: of FC_PROFILE_HALF its samples */

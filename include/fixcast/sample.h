@@ -107,7 +107,8 @@ typedef struct fc_sampling {
   { &fc_pattern_one, {&fc_lens_pinhole, NULL}, 0, 0, 0, FC_FILTER_BOX, 0 }
 
 /* Bytes of scratch memory that fc_sample_rows needs for strips of this frame: 0, or, for quincunx, 16 for each of width + 1 corners and of
- * (2^depth + 1)^2 points of a pixel: 3.4 KB for 128 columns and depth 3. 0 also on an error, through *error (may be NULL): those of fc_sample_rows. */
+ * (2^depth + 1)^2 points of a pixel: 3.4 KB for 128 columns and depth 3. 0 also on an error, through *error (may be NULL): those of
+ * fc_sample_rows. */
 size_t fc_sample_scratch(const fc_frame *frame, const fc_sampling *how, int *error);
 
 /*

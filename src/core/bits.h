@@ -4,6 +4,8 @@
 
 #include <stdint.h>
 
+#include "fixcast/config.h"
+
 /* Inner loops stay functions of their own: a caller's variables would crowd them out of the registers. What runs once a
  * frame or once in a thousand pixels is kept small rather than fast, and out of the way; so is what only such functions
  * call, but for the loops that are hot. */
@@ -77,5 +79,13 @@ static inline int32_t fc_to_i32(uint32_t v) {
 static inline int32_t fc_high_word(int64_t v) { return fc_to_i32((uint32_t)((uint64_t)v >> 32)); }
 
 static inline int8_t fc_sign64(int64_t v) { return (int8_t)((v > 0) - (v < 0)); }
+
+/* FC_READ of one object, both pointers to its type: an assignment where constant data is plain memory, as short ones need no
+ * call. */
+#ifdef FC_ROM_FAR
+#define FC_READ_ONE(to, from) FC_READ((to), (from), sizeof *(to))
+#else
+#define FC_READ_ONE(to, from) ((void)(*(to) = *(from)))
+#endif
 
 #endif

@@ -276,7 +276,7 @@ static bool meets(const sweep *s, const fc_bvh_node *node) {
 /* A node where it lies, or its copy in `to`. */
 static inline const fc_bvh_node *node_at(const fc_bvh *bvh, uint32_t node, fc_bvh_node *to) {
 #ifdef FC_ROM_FAR
-  FC_READ(to, bvh->nodes + (node - 1), sizeof *to);
+  FC_READ_ONE(to, bvh->nodes + (node - 1));
   return to;
 #else
   (void)to;
@@ -287,7 +287,7 @@ static inline const fc_bvh_node *node_at(const fc_bvh *bvh, uint32_t node, fc_bv
 static uint16_t read_order(const fc_bvh *bvh, uint16_t at) {
 #ifdef FC_ROM_FAR
   uint16_t primitive;
-  FC_READ(&primitive, bvh->order + at, sizeof primitive);
+  FC_READ_ONE(&primitive, bvh->order + at);
   return primitive;
 #else
   return bvh->order[at];
@@ -322,7 +322,8 @@ static bool search(const fc_bvh *bvh, const fc_space *space, fc_reach *reach, fc
       s.exit = part_of(&s, reach->limit);
       reach->limited = false;
     }
-    if (all || meets(&s, node_at(bvh, node, &copy))) {
+    if ((space->entered == NULL || (space->entered[node >> 3] >> (node & 7) & 1)) &&
+        (all || meets(&s, node_at(bvh, node, &copy)))) {
       uint16_t i, end;
       if (node < leaves) {
         node = reach->corners == 0 ? nearer_child(bvh, &s, node) : 2 * node;
@@ -345,6 +346,26 @@ static bool search(const fc_bvh *bvh, const fc_space *space, fc_reach *reach, fc
     done |= 1;
   }
   return false;
+}
+
+static FC_COLD void mark(const fc_bvh *bvh, const fc_space *space, uint8_t *bits) {
+  const uint32_t leaves = fc_bvh_leaves(bvh);
+  uint32_t leaf, node;
+  fc_cursor at;
+  for (node = 0; node < (2 * leaves + 7) / 8; node++) bits[node] = 0;
+  at.group.shapes.count = 0;
+  at.group.first = 0;
+  for (leaf = 0; leaf < leaves; leaf++) {
+    uint16_t i, end = fc_bvh_share(bvh, leaf + 1, bvh->depth);
+    bool casts = false;
+    for (i = fc_bvh_share(bvh, leaf, bvh->depth); i < end && !casts; i++) {
+      uint16_t primitive = read_order(bvh, i), index = (uint16_t)(primitive - at.group.first);
+      if (index >= at.group.shapes.count && !fc_cursor_find(&at, space, primitive, &index)) continue;
+      casts = fc_kind_of(&at)->casts == NULL || fc_kind_of(&at)->casts(&at.group, index);
+    }
+    if (!casts) continue;
+    for (node = leaves + leaf; node != 0; node >>= 1) bits[node >> 3] = (uint8_t)(bits[node >> 3] | 1u << (node & 7));
+  }
 }
 
 /* ---- trust ---- */
@@ -439,4 +460,4 @@ static FC_COLD int check(const fc_scene *scene, const fc_bvh *bvh) {
   return FC_OK;
 }
 
-const fc_bvh_kind fc_bvh_balanced FC_ROM = {check, search};
+const fc_bvh_kind fc_bvh_balanced FC_ROM = {check, search, mark};

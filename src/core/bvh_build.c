@@ -42,7 +42,7 @@ static size_t building_bytes(uint32_t count) {
 
 static int check(const fc_scene *scene_rom, fc_scene *scene) {
   if (scene_rom == NULL) return FC_ERR_NULL;
-  FC_READ(scene, scene_rom, sizeof *scene);
+  FC_READ_ONE(scene, scene_rom);
   scene->bvh = NULL;
   return fc_scene_check_tables(scene);
 }

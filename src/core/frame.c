@@ -6,6 +6,7 @@
 #include "fixcast/error.h"
 #include "fixcast/render.h"
 #include "scan.h"
+#include "search.h"
 #include "space.h"
 #include "view.h"
 
@@ -23,7 +24,7 @@ static FC_COLD size_t memory_of(const fc_scene *scene) {
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor)) {
   }
-  return cursor.bytes + (size_t)scene->light_count * 3 * sizeof(int64_t);
+  return cursor.bytes + (size_t)scene->light_count * 3 * sizeof(int64_t) + fc_search_marks(scene);
 }
 
 FC_COLD size_t fc_frame_memory(const fc_scene *scene_rom, int *error) {
@@ -31,7 +32,7 @@ FC_COLD size_t fc_frame_memory(const fc_scene *scene_rom, int *error) {
   int status = fc_scene_check(scene_rom);
   if (error != NULL) *error = status;
   if (status != FC_OK) return 0;
-  FC_READ(&scene, scene_rom, sizeof scene);
+  FC_READ_ONE(&scene, scene_rom);
   return memory_of(&scene);
 }
 
@@ -74,7 +75,7 @@ static FC_COLD int place_lights(const fc_frame *frame, int64_t *to) {
   uint16_t i;
   for (i = 0; i < frame->scene.light_count; i++) {
     fc_light light;
-    FC_READ(&light, frame->scene.lights + i, sizeof light);
+    FC_READ_ONE(&light, frame->scene.lights + i);
     if (light.directional)
       place_far(&frame->view, &light.position, to + 3 * (size_t)i);
     else if (!fc_view_point(&frame->view, &light.position, light.exponent, to + 3 * (size_t)i)) return FC_ERR_LIGHT;
@@ -136,7 +137,7 @@ static FC_COLD void set_light(fc_frame *frame) {
   frame->light = FC_LIGHT_MANY;
   if (frame->scene.light_count == 0) frame->light = FC_LIGHT_NONE;
   if (frame->scene.light_count != 1 || frame->options.offset_rule != FC_OFFSET_EXACT) return;
-  FC_READ(&light, frame->scene.lights, sizeof light);
+  FC_READ_ONE(&light, frame->scene.lights);
   if (light.inverse_square || light.intensity_exponent > 14 || fc_abs64(frame->lights[0]) > reach ||
       fc_abs64(frame->lights[1]) > reach || fc_abs64(frame->lights[2]) > reach)
     return;
@@ -180,6 +181,7 @@ FC_COLD int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_came
   size_t bytes;
   int error;
   uint64_t epsilon;
+  uint8_t *casters = NULL;
   if (frame == NULL || scene == NULL || camera_rom == NULL) return FC_ERR_NULL;
   if (width < 1 || height < 1 || width > FC_SIZE_MAX || height > FC_SIZE_MAX) return FC_ERR_SIZE;
   memset(frame, 0, sizeof *frame);
@@ -189,8 +191,8 @@ FC_COLD int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_came
   bytes = fc_frame_memory(scene, &error);
   if (error != FC_OK) return error;
   if (bytes > 0 && (memory == NULL || memory_bytes < bytes || !aligned(memory))) return FC_ERR_MEMORY;
-  FC_READ(&frame->scene, scene, sizeof frame->scene);
-  FC_READ(&camera, camera_rom, sizeof camera);
+  FC_READ_ONE(&frame->scene, scene);
+  FC_READ_ONE(&camera, camera_rom);
   frame->memory = memory;
   frame->width = width;
   frame->height = height;
@@ -199,12 +201,14 @@ FC_COLD int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_came
   if (frame->options.profile == FC_PROFILE_HALF) halve(frame);
   choose_grid(frame);
   if (bytes > 0) {
-    size_t shape_bytes = bytes - (size_t)frame->scene.light_count * 3 * sizeof(int64_t);
+    const size_t mark_bytes = fc_search_marks(&frame->scene);
+    size_t shape_bytes = bytes - (size_t)frame->scene.light_count * 3 * sizeof(int64_t) - mark_bytes;
     int64_t *lights = (int64_t *)memory + shape_bytes / sizeof(int64_t);
     place_shapes(frame, memory);
     error = place_lights(frame, lights);
     if (error != FC_OK) return error;
     frame->lights = lights;
+    if (mark_bytes > 0) casters = (uint8_t *)memory + (bytes - mark_bytes);
   }
   epsilon = fc_num_round(fc_num_from_u64((uint64_t)frame->options.epsilon, frame->options.epsilon_exponent),
                          frame->view.fine - frame->view.shift);
@@ -213,5 +217,10 @@ FC_COLD int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_came
   set_far(frame);
   set_light(frame);
   project_shapes(frame);
+  if (casters != NULL && frame->light == FC_LIGHT_ONE) {
+    const fc_space space = fc_space_of_frame(frame);
+    fc_search_mark(&space, casters);
+    frame->casters = casters;
+  }
   return FC_OK;
 }

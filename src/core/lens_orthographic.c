@@ -53,7 +53,7 @@ FC_COLD int fc_orthographic_of_camera(fc_orthographic *lens, const fc_camera *ca
   uint64_t rounded;
   uint8_t i;
   if (lens == NULL || camera_rom == NULL) return FC_ERR_NULL;
-  FC_READ(&camera, camera_rom, sizeof camera);
+  FC_READ_ONE(&camera, camera_rom);
   if (!fc_load(&camera.eye, eye) || !fc_load(&camera.target, way)) return FC_ERR_COORDINATE;
   if (camera.exponent < -31 || camera.exponent > 31) return FC_ERR_EXPONENT;
   for (i = 0; i < 3; i++) way[i] -= eye[i];

@@ -20,7 +20,7 @@ static FC_COLD int64_t angle_of(int32_t x, int32_t y, int32_t *length) {
   for (i = 0; i < sizeof turn_q32 / sizeof turn_q32[0]; i++) {
     const int32_t dx = fc_floor_shift32(x, i), dy = fc_floor_shift32(y, i);
     uint32_t step;
-    FC_READ(&step, turn_q32 + i, sizeof step);
+    FC_READ_ONE(&step, turn_q32 + i);
     if (y > 0) {
       x += dy;
       y -= dx;

@@ -17,7 +17,7 @@ static FC_COLD void locate(const fc_shading *shading, const fc_mapping *mapping,
   if (uvs == NULL || !fc_corners_of(shading->surface, corner)) return;
   for (i = 0; i < 3; i++) {
     fc_uv uv;
-    FC_READ(&uv, uvs + corner[i].vertex, sizeof uv);
+    FC_READ_ONE(&uv, uvs + corner[i].vertex);
     /* 31 + 31 bits, weights that add up to 1: Q46 */
     uv_q24[0] += uv.u * (int64_t)corner[i].weight_q30;
     uv_q24[1] += uv.v * (int64_t)corner[i].weight_q30;

@@ -44,7 +44,7 @@ static inline const fc_placed_vertex *fc_mesh_vertices(const fc_placed_mesh *mes
 
 static inline void fc_read_triangle(const fc_shapes *shapes, uint16_t index, fc_triangle *t) {
 #ifdef FC_ROM_FAR
-  FC_READ(t, (const fc_triangle *)shapes->items + index, sizeof *t);
+  FC_READ_ONE(t, (const fc_triangle *)shapes->items + index);
 #else
   /* field by field: a copy of the whole is a call on chips that copy words only */
   const fc_triangle *from = (const fc_triangle *)shapes->items + index;
@@ -69,7 +69,7 @@ static inline const fc_triangle *fc_triangle_at(const fc_shapes *shapes, uint16_
 
 static inline void fc_read_vertex(const fc_shapes *shapes, uint16_t index, fc_vec3 *v) {
 #ifdef FC_ROM_FAR
-  FC_READ(v, shapes->vertices + index, sizeof *v);
+  FC_READ_ONE(v, shapes->vertices + index);
 #else
   *v = shapes->vertices[index];
 #endif

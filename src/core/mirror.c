@@ -1,5 +1,6 @@
 /* The layer of perfect mirrors: a path of rays, one after the other. */
 #include "fixcast/error.h"
+#include "fixcast/reflect.h"
 #include "layer.h"
 #include "search.h"
 #include "space.h"
@@ -15,21 +16,21 @@ static FC_COLD int check(const void *data) {
              : FC_OK;
 }
 
-/* d (n.n) - 2 n (n.d), as long as 30 bits allow. */
+static FC_COLD fc_vec3 vec3_of(const int64_t v[3]) {
+  fc_vec3 r;
+  r.x = (int32_t)v[0];
+  r.y = (int32_t)v[1];
+  r.z = (int32_t)v[2];
+  return r;
+}
+
+/* Vectors of up to 30 bits; a zero normal, which no shape has, sends the ray on. */
 static FC_COLD void reflect(const int64_t d[3], const int64_t n[3], int64_t to[3]) {
-  /* 30 bits each: n.n below 2^62, 2 n.d too; products below 2^92 and their differences below 2^93 */
-  const int64_t square = fc_dot(n, n), along = 2 * fc_dot(n, d);
-  fc_i128 r[3];
-  uint8_t i, bits = 0;
-  for (i = 0; i < 3; i++) {
-    fc_i128 part = fc_i128_mul(n[i], along);
-    uint8_t length;
-    r[i] = fc_i128_mul(d[i], square);
-    fc_i128_minus(&r[i], &part);
-    length = (uint8_t)fc_i128_bits(r[i]);
-    if (length > bits) bits = length;
-  }
-  for (i = 0; i < 3; i++) to[i] = fc_i128_to_i64(bits > 29 ? fc_i128_round_shift(r[i], (uint8_t)(bits - 29)) : r[i]);
+  fc_vec3 direction = vec3_of(d), normal = vec3_of(n);
+  (void)fc_reflect(&direction, &direction, &normal);
+  to[0] = direction.x;
+  to[1] = direction.y;
+  to[2] = direction.z;
 }
 
 /* A mirrored ray. Planes are met beyond the 30 bits within which the other forms hold, so it may start far out there: those are met from where

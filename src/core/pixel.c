@@ -22,12 +22,12 @@ FC_COLD uint8_t fc_pixel_transfer(const fc_transfer *transfer_rom, uint32_t valu
   fc_transfer transfer;
   const uint32_t *table;
   uint8_t low = 0, high = most; /* the level is in low .. high */
-  FC_READ(&transfer, transfer_rom, sizeof transfer);
+  FC_READ_ONE(&transfer, transfer_rom);
   table = most == 31 ? transfer.level31 : most == 63 ? transfer.level63 : transfer.level255;
   while (low < high) {
     const uint8_t middle = (uint8_t)(low + (high - low + 1) / 2);
     uint32_t threshold;
-    FC_READ(&threshold, table + middle - 1, sizeof threshold);
+    FC_READ_ONE(&threshold, table + middle - 1);
     /* 24 + 8 bits */
     if ((threshold * scale + 1) / 2 <= value)
       low = middle;

@@ -235,6 +235,7 @@ static FC_COLD uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, i
 static FC_COLD void cast_from(fc_scan *scan, fc_planar *planar, const int64_t *hull, uint8_t corners, int64_t radius) {
   fc_space space = fc_space_of_frame(scan->frame);
   caster c;
+  space.entered = scan->frame->casters;
   fc_reach reach;
   c.scan = scan;
   c.planar = planar;

@@ -6,7 +6,7 @@
 #include "view.h"
 
 static FC_COLD void read_item(const fc_shapes *shapes, uint16_t index, fc_plane *plane) {
-  FC_READ(plane, (const fc_plane *)shapes->items + index, sizeof *plane);
+  FC_READ_ONE(plane, (const fc_plane *)shapes->items + index);
 }
 
 static FC_COLD int check(const fc_scene *scene, const fc_shapes *shapes) {

@@ -94,7 +94,7 @@ extern const uint16_t fc_rsqrt_table[192], fc_recip_table[128];
 
 FC_INLINE uint16_t fc_read_table(const uint16_t *entry) {
   uint16_t v;
-  FC_READ(&v, entry, sizeof v);
+  FC_READ_ONE(&v, entry);
   return v;
 }
 

@@ -131,7 +131,7 @@ FC_COLD int fc_intersect(const fc_scene *scene_rom, const fc_ray *ray, fc_hit *h
   if (scene_rom == NULL || ray == NULL || hit == NULL) return FC_ERR_NULL;
   if (!fc_load(&ray->origin, origin) || !fc_load(&ray->direction, direction)) return FC_ERR_COORDINATE;
   if ((direction[0] | direction[1] | direction[2]) == 0) return FC_ERR_DIRECTION;
-  FC_READ(&scene, scene_rom, sizeof scene);
+  FC_READ_ONE(&scene, scene_rom);
   space = fc_space_of_world(&scene);
   nearest = fc_space_nearest(&space, origin, direction, ray->t_min_q32, ray->t_max_q32, &root);
   if (nearest == NO_PRIMITIVE) return 0;
@@ -148,7 +148,7 @@ FC_COLD int fc_blocked(const fc_scene *scene_rom, const fc_vec3 *from, const fc_
   fc_segment segment;
   if (scene_rom == NULL || from == NULL || to == NULL) return FC_ERR_NULL;
   if (!fc_load(from, segment.point) || !fc_load(to, segment.light)) return FC_ERR_COORDINATE;
-  FC_READ(&scene, scene_rom, sizeof scene);
+  FC_READ_ONE(&scene, scene_rom);
   space = fc_space_of_world(&scene);
   segment.point_error = 0;
   segment.outside = false;
@@ -167,7 +167,7 @@ FC_COLD int fc_offset(const fc_scene *scene_rom, const fc_hit *hit, int rule, in
   if (scene_rom == NULL || hit == NULL || point == NULL) return FC_ERR_NULL;
   if (rule < FC_OFFSET_EXACT || rule > FC_OFFSET_NONE) return FC_ERR_FORMAT;
   if (epsilon < 0 || epsilon > FC_COORDINATE_MAX || !fc_load(&hit->position, surface.point)) return FC_ERR_COORDINATE;
-  FC_READ(&scene, scene_rom, sizeof scene);
+  FC_READ_ONE(&scene, scene_rom);
   space = fc_space_of_world(&scene);
   if (!fc_cursor_find(&surface.at, &space, hit->primitive, &index)) return FC_ERR_INDEX;
   fc_kind_of(&surface.at)->fetch(&surface.at.group, index, &surface.form);

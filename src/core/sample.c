@@ -40,8 +40,6 @@ FC_COLD void fc_sample_trace(const fc_sampler *sampler, const int32_t place_q16[
       seen->object = surface.form.object;
       seen->depth = fc_depth_code(frame, &surface.root);
       fc_surface_complete(&surface);
-      /* Lights are asked from the rounded point, which is to be a good one. */
-      if ((origin[0] | origin[1] | origin[2]) != 0) fc_surface_round(&surface);
       fc_shade(frame, &sampler->space, &surface, seen->radiance_q39, &seen->lit);
       return;
     }
@@ -77,12 +75,12 @@ FC_COLD void fc_sample_put(const fc_sampler *sampler, uint16_t x, uint16_t row, 
 static FC_COLD int set_up(fc_sampler *sampler, fc_pattern *pattern, const fc_frame *frame, const fc_sampling *how_rom) {
   fc_sampling *how = &sampler->how;
   if (frame == NULL || how_rom == NULL) return FC_ERR_NULL;
-  FC_READ(how, how_rom, sizeof *how);
+  FC_READ_ONE(how, how_rom);
   if (how->pattern == NULL || how->filter > FC_FILTER_TENT) return FC_ERR_SAMPLING;
-  FC_READ(pattern, how->pattern, sizeof *pattern);
+  FC_READ_ONE(pattern, how->pattern);
   if (!pattern->check(how)) return FC_ERR_SAMPLING;
   if (how->lens.kind == NULL) return FC_ERR_LENS;
-  FC_READ(&sampler->lens, how->lens.kind, sizeof sampler->lens);
+  FC_READ_ONE(&sampler->lens, how->lens.kind);
   sampler->frame = *frame;
   return sampler->lens.prepare(&sampler->state, &sampler->frame, how->lens.data);
 }

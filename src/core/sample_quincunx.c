@@ -23,7 +23,7 @@ static FC_COLD void trace(const fc_sampler *sampler, const int32_t place_q16[2],
   uint8_t i;
   fc_sample_trace(sampler, place_q16, seen);
   for (i = 0; i < 3; i++) {
-    uint64_t q22 = (seen->radiance_q39[i] + (1u << 16)) >> 17; /* at most 2^31 */
+    uint64_t q22 = (seen->radiance_q39[i] + (UINT32_C(1) << 16)) >> 17; /* at most 2^31 */
     p->radiance_q22[i] = (uint32_t)q22;
   }
   p->object = seen->object;

@@ -447,14 +447,9 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
   fc_material material;
   uint16_t diffuse[3], ambient[3];
   uint8_t i, level[3];
-#ifdef FC_ROM_FAR
-  FC_READ(&material, frame->scene.materials + scan->form->material, sizeof material);
-#else
-  material = frame->scene.materials[scan->form->material];
-#endif
-  scan->light = material.layer_count == 0 ? frame->light : FC_LIGHT_MANY;
-  tint->transfer = frame->options.transfer;
-  if (scan->light == FC_LIGHT_NONE && tint->transfer == NULL && flat_tint(frame, tint, &material, scan->target->format)) return;
+  FC_READ_ONE(&material, frame->scene.materials + scan->form->material);
+  scan->light = frame->light;
+  if (frame->light == FC_LIGHT_NONE && flat_tint(frame, tint, &material, scan->target->format)) return;
   diffuse[0] = material.diffuse.r;
   diffuse[1] = material.diffuse.g;
   diffuse[2] = material.diffuse.b;
@@ -544,8 +539,8 @@ static FC_COLD void fill_background(const fc_frame *frame, uint16_t y, uint16_t 
     fc_target drawn = *target;
     fc_sky sky;
     fc_sky_kind kind;
-    FC_READ(&sky, frame->scene.sky, sizeof sky);
-    FC_READ(&kind, sky.kind, sizeof kind);
+    FC_READ_ONE(&sky, frame->scene.sky);
+    FC_READ_ONE(&kind, sky.kind);
     drawn.format = format;
     kind.fill(frame, &sky, y, rows, &drawn);
     return;

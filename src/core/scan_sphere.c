@@ -25,7 +25,7 @@ static FC_COLD void sort_by_depth(fc_placed_sphere *placed, uint16_t count) {
   uint8_t g;
   for (g = 0; g < FC_COUNT_OF(gaps); g++) {
     uint16_t i, j, gap;
-    FC_READ(&gap, gaps + g, sizeof gap);
+    FC_READ_ONE(&gap, gaps + g);
     for (i = gap; i < count; i++) {
       const uint16_t moved = placed[i].order;
       const int32_t front = front_of(placed, moved);

@@ -8,6 +8,7 @@
 #define FC_SEARCH_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "fixcast/bvh.h"
@@ -33,7 +34,16 @@ struct fc_bvh_kind {
   int (*check)(const fc_scene *scene, const fc_bvh *bvh);
   /* Visits what may be met among the finite primitives; true when a visitor ended it. */
   bool (*search)(const fc_bvh *bvh, const fc_space *space, fc_reach *reach, fc_visit *visit, void *context);
+  /* Sets the bits (fc_space.entered) of nodes with a primitive below them that may cast a shadow (fc_kind.casts), and clears all
+   * others, in fc_search_marks bytes. */
+  void (*mark)(const fc_bvh *bvh, const fc_space *space, uint8_t *bits);
 };
+
+/* Bytes of those bits for a scene that has been checked, a multiple of 8; 0 where each primitive casts, or without a hierarchy. */
+size_t fc_search_marks(const fc_scene *scene);
+
+/* Finds them for a space in which what casts is known. */
+void fc_search_mark(const fc_space *space, uint8_t *bits);
 
 /* Visits every primitive that may be met, each once, in any order; true when a visitor ended it. `reach` NULL: all. */
 bool fc_space_search(const fc_space *space, fc_reach *reach, fc_visit *visit, void *context);

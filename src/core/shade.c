@@ -129,7 +129,7 @@ FC_COLD const void *fc_layer_data(const fc_material *material, const fc_layer_ki
   uint16_t i;
   for (i = 0; i < material->layer_count; i++) {
     fc_layer layer;
-    FC_READ(&layer, material->layers + i, sizeof layer);
+    FC_READ_ONE(&layer, material->layers + i);
     if (layer.kind == kind) return layer.data;
   }
   return NULL;
@@ -141,8 +141,8 @@ FC_COLD void fc_layers_apply(fc_shading *shading, uint8_t which) {
     fc_layer layer;
     fc_layer_kind kind;
     void (*act)(fc_shading *, const void *);
-    FC_READ(&layer, shading->material.layers + i, sizeof layer);
-    FC_READ(&kind, layer.kind, sizeof kind);
+    FC_READ_ONE(&layer, shading->material.layers + i);
+    FC_READ_ONE(&kind, layer.kind);
     act = which == FC_LAYER_SURFACE ? kind.surface : which == FC_LAYER_LIGHT ? kind.light : kind.follow;
     if (act != NULL) act(shading, layer.data);
   }
@@ -158,7 +158,7 @@ FC_COLD void fc_shading_light(fc_shading *shading, const fc_frame *frame, const 
   shading->frame = frame;
   shading->space = space;
   shading->surface = surface;
-  FC_READ(&shading->material, scene->materials + surface->form.material, sizeof shading->material);
+  FC_READ_ONE(&shading->material, scene->materials + surface->form.material);
   fc_channels(&shading->material.diffuse, shading->diffuse);
   fc_channels(&scene->ambient, ambient);
   (void)fc_shrink(surface->normal, shading->normal);
@@ -176,7 +176,7 @@ FC_COLD void fc_shading_light(fc_shading *shading, const fc_frame *frame, const 
     const int64_t *position = frame->lights + 3 * (size_t)i;
     if (!fc_light_reaches(frame, space, surface, position)) continue;
     *lit |= UINT32_C(1) << (i < 31 ? i : 31);
-    FC_READ(&light, scene->lights + i, sizeof light);
+    FC_READ_ONE(&light, scene->lights + i);
     q24 = irradiance_q24(shading, &light, position);
     for (j = 0; j < 3; j++) shading->arriving[j] += (uint64_t)shading->light.colour[j] * q24;
     fc_layers_apply(shading, FC_LAYER_LIGHT);
@@ -208,8 +208,8 @@ FC_COLD void fc_shade_background(const fc_frame *frame, const int64_t direction[
   if (frame->scene.sky != NULL) {
     fc_sky sky;
     fc_sky_kind kind;
-    FC_READ(&sky, frame->scene.sky, sizeof sky);
-    FC_READ(&kind, sky.kind, sizeof kind);
+    FC_READ_ONE(&sky, frame->scene.sky);
+    FC_READ_ONE(&kind, sky.kind);
     kind.radiance(frame, &sky, direction, radiance_q39);
     return;
   }

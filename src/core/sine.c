@@ -20,8 +20,8 @@ static FC_COLD int32_t quarter_wave(uint32_t u) {
   const int64_t h = (x2 - fc_floor_shift64(x2 * x2, 35) / 12) / 2;
   uint32_t s, c;
   int64_t change;
-  FC_READ(&s, &sines_q31[i], sizeof s);
-  FC_READ(&c, &sines_q31[16 - i], sizeof c);
+  FC_READ_ONE(&s, &sines_q31[i]);
+  FC_READ_ONE(&c, &sines_q31[16 - i]);
   /* s cos x + c sin x = s + change: 31 + 31 bits and 31 + 26; Q66 to Q36 */
   change = fc_floor_shift64((int64_t)c * (x - fc_floor_shift64(x * w, 35)) - (int64_t)s * h, 30);
   return (int32_t)fc_floor_shift64(((int64_t)s << 5) + change + 32, 6);

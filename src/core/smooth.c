@@ -16,7 +16,7 @@ static FC_COLD void surface(fc_shading *shading, const void *data) {
   if (normals == NULL || !fc_corners_of(shading->surface, corner)) return;
   for (i = 0; i < 3; i++) {
     fc_normal normal;
-    FC_READ(&normal, normals + corner[i].vertex, sizeof normal);
+    FC_READ_ONE(&normal, normals + corner[i].vertex);
     /* Q14 and 15 bits of a weight */
     world[0] += normal.x * (int64_t)corner[i].weight_q30;
     world[1] += normal.y * (int64_t)corner[i].weight_q30;

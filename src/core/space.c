@@ -20,9 +20,9 @@ FC_COLD bool fc_cursor_next(fc_cursor *cursor) {
   if (cursor->table > 0) cursor->bytes += fc_kind_of(cursor)->memory(&cursor->group.shapes);
   if (cursor->table == space->scene->shape_count) return false;
   cursor->group.first = (uint16_t)(cursor->group.first + cursor->group.shapes.count);
-  FC_READ(&cursor->group.shapes, space->scene->shapes + cursor->table, sizeof cursor->group.shapes);
+  FC_READ_ONE(&cursor->group.shapes, space->scene->shapes + cursor->table);
 #ifdef FC_ROM_FAR
-  FC_READ(&cursor->kind, cursor->group.shapes.kind, sizeof cursor->kind);
+  FC_READ_ONE(&cursor->kind, cursor->group.shapes.kind);
 #endif
   cursor->group.memory = space->memory == NULL ? NULL : (const unsigned char *)space->memory + cursor->bytes;
   cursor->table++;
@@ -40,7 +40,7 @@ FC_COLD bool fc_cursor_find(fc_cursor *cursor, const fc_space *space, uint16_t p
 
 static int check_light(const fc_scene *scene, uint16_t index) {
   fc_light light;
-  FC_READ(&light, scene->lights + index, sizeof light);
+  FC_READ_ONE(&light, scene->lights + index);
   if (fc_abs32(light.position.x) > (uint32_t)FC_COORDINATE_MAX ||
       fc_abs32(light.position.y) > (uint32_t)FC_COORDINATE_MAX ||
       fc_abs32(light.position.z) > (uint32_t)FC_COORDINATE_MAX)
@@ -56,15 +56,15 @@ static int check_light(const fc_scene *scene, uint16_t index) {
 static FC_COLD int check_material(const fc_scene *scene, uint16_t index) {
   fc_material material;
   uint16_t i;
-  FC_READ(&material, scene->materials + index, sizeof material);
+  FC_READ_ONE(&material, scene->materials + index);
   if (material.layer_count > FC_LAYERS_MAX || (material.layers == NULL && material.layer_count > 0)) return FC_ERR_MATERIAL;
   for (i = 0; i < material.layer_count; i++) {
     fc_layer layer;
     fc_layer_kind kind;
     int error;
-    FC_READ(&layer, material.layers + i, sizeof layer);
+    FC_READ_ONE(&layer, material.layers + i);
     if (layer.kind == NULL) return FC_ERR_MATERIAL;
-    FC_READ(&kind, layer.kind, sizeof kind);
+    FC_READ_ONE(&kind, layer.kind);
     error = kind.check(layer.data);
     if (error != FC_OK) return error;
   }
@@ -84,11 +84,11 @@ FC_COLD int fc_scene_check_tables(const fc_scene *scene) {
     fc_shapes shapes;
     fc_kind kind;
     int error;
-    FC_READ(&shapes, scene->shapes + i, sizeof shapes);
+    FC_READ_ONE(&shapes, scene->shapes + i);
     if (shapes.kind == NULL || (shapes.items == NULL && shapes.count > 0)) return FC_ERR_NULL;
     primitives += shapes.count;
     if (primitives > FC_PRIMITIVES_MAX) return FC_ERR_COUNT;
-    FC_READ(&kind, shapes.kind, sizeof kind);
+    FC_READ_ONE(&kind, shapes.kind);
     error = kind.check(scene, &shapes);
     if (error != FC_OK) return error;
   }
@@ -100,9 +100,9 @@ FC_COLD int fc_scene_check_tables(const fc_scene *scene) {
     fc_sky sky;
     fc_sky_kind kind;
     int error;
-    FC_READ(&sky, scene->sky, sizeof sky);
+    FC_READ_ONE(&sky, scene->sky);
     if (sky.kind == NULL) return FC_ERR_NULL;
-    FC_READ(&kind, sky.kind, sizeof kind);
+    FC_READ_ONE(&kind, sky.kind);
     error = kind.check(&sky);
     if (error != FC_OK) return error;
   }
@@ -119,21 +119,41 @@ FC_COLD int fc_scene_check(const fc_scene *scene_rom) {
   fc_bvh_kind kind;
   int error;
   if (scene_rom == NULL) return FC_ERR_NULL;
-  FC_READ(&scene, scene_rom, sizeof scene);
+  FC_READ_ONE(&scene, scene_rom);
   error = fc_scene_check_tables(&scene);
   if (error != FC_OK || scene.bvh == NULL) return error;
-  FC_READ(&bvh, scene.bvh, sizeof bvh);
+  FC_READ_ONE(&bvh, scene.bvh);
   if (bvh.kind == NULL) return FC_ERR_NULL;
-  FC_READ(&kind, bvh.kind, sizeof kind);
+  FC_READ_ONE(&kind, bvh.kind);
   return kind.check(&scene, &bvh);
 }
 
 static FC_COLD bool search_bvh(const fc_space *space, fc_reach *reach, fc_visit *visit, void *context) {
   fc_bvh bvh;
   fc_bvh_kind kind;
-  FC_READ(&bvh, space->scene->bvh, sizeof bvh);
-  FC_READ(&kind, bvh.kind, sizeof kind);
+  FC_READ_ONE(&bvh, space->scene->bvh);
+  FC_READ_ONE(&kind, bvh.kind);
   return kind.search(&bvh, space, reach, visit, context);
+}
+
+FC_COLD size_t fc_search_marks(const fc_scene *scene) {
+  const fc_space space = fc_space_of_world(scene);
+  fc_cursor cursor;
+  fc_bvh bvh;
+  if (scene->bvh == NULL) return 0;
+  FC_READ_ONE(&bvh, scene->bvh);
+  fc_cursor_start(&cursor, &space);
+  while (bvh.count > 0 && fc_cursor_next(&cursor))
+    if (fc_kind_of(&cursor)->casts != NULL) return (((size_t)2 << bvh.depth) + 63) / 64 * 8; /* nodes 1 .. 2^(depth + 1) - 1 */
+  return 0;
+}
+
+FC_COLD void fc_search_mark(const fc_space *space, uint8_t *bits) {
+  fc_bvh bvh;
+  fc_bvh_kind kind;
+  FC_READ_ONE(&bvh, space->scene->bvh);
+  FC_READ_ONE(&kind, bvh.kind);
+  kind.mark(&bvh, space, bits);
 }
 
 FC_COLD bool fc_space_search(const fc_space *space, fc_reach *reach, fc_visit *visit, void *context) {

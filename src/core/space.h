@@ -13,6 +13,7 @@ typedef struct fc_space {
   const fc_scene *scene; /* in RAM */
   const void *memory;    /* camera-space copies of all tables in order; NULL: world coordinates */
   const fc_view *view;   /* with memory: what brought them there */
+  const uint8_t *entered; /* bit n % 8 of byte n / 8: whether a search enters node n of the hierarchy; NULL: all are */
 } fc_space;
 
 /* A scene in world coordinates. */
@@ -21,6 +22,7 @@ static inline fc_space fc_space_of_world(const fc_scene *scene) {
   space.scene = scene;
   space.memory = NULL;
   space.view = NULL;
+  space.entered = NULL;
   return space;
 }
 
@@ -30,6 +32,7 @@ static inline fc_space fc_space_of_frame(const fc_frame *frame) {
   space.scene = &frame->scene;
   space.memory = frame->memory;
   space.view = &frame->view;
+  space.entered = NULL;
   return space;
 }
 

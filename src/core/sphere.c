@@ -8,7 +8,7 @@
 #include "view.h"
 
 static FC_COLD void read_item(const fc_shapes *shapes, uint16_t index, fc_sphere *sphere) {
-  FC_READ(sphere, (const fc_sphere *)shapes->items + index, sizeof *sphere);
+  FC_READ_ONE(sphere, (const fc_sphere *)shapes->items + index);
 }
 
 static FC_COLD int check(const fc_scene *scene, const fc_shapes *shapes) {
@@ -117,8 +117,8 @@ static FC_COLD void fetch(const fc_group *group, uint16_t index, fc_form *form) 
   }
   for (i = 0; i < 3; i++) form->u.sphere.center[i] = v[i];
   form->u.sphere.radius = v[3];
-  FC_READ(&form->material, &item->material, sizeof form->material);
-  FC_READ(&form->object, &item->object, sizeof form->object);
+  FC_READ_ONE(&form->material, &item->material);
+  FC_READ_ONE(&form->object, &item->object);
 }
 
 static FC_COLD void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {

@@ -12,12 +12,12 @@ static FC_COLD int check(const void *data) {
   if (data == NULL) return FC_ERR_MATERIAL;
   FC_READ(&texture, data, sizeof texture);
   if (texture.mapping == NULL || texture.pattern == NULL || texture.pattern_data == NULL || texture.modulate > 1) return FC_ERR_MATERIAL;
-  FC_READ(&mapping, texture.mapping, sizeof mapping);
+  FC_READ_ONE(&mapping, texture.mapping);
   if (mapping.kind == NULL || mapping.repeat_u < 1 || mapping.repeat_v < 1) return FC_ERR_MATERIAL;
-  FC_READ(&mapping_kind, mapping.kind, sizeof mapping_kind);
+  FC_READ_ONE(&mapping_kind, mapping.kind);
   error = mapping_kind.check(&mapping);
   if (error != FC_OK) return error;
-  FC_READ(&pattern_kind, texture.pattern, sizeof pattern_kind);
+  FC_READ_ONE(&pattern_kind, texture.pattern);
   return pattern_kind.check(texture.pattern_data);
 }
 
@@ -30,9 +30,9 @@ static FC_COLD void surface(fc_shading *shading, const void *data) {
   uint16_t colour[3];
   uint8_t i;
   FC_READ(&texture, data, sizeof texture);
-  FC_READ(&mapping, texture.mapping, sizeof mapping);
-  FC_READ(&mapping_kind, mapping.kind, sizeof mapping_kind);
-  FC_READ(&pattern_kind, texture.pattern, sizeof pattern_kind);
+  FC_READ_ONE(&mapping, texture.mapping);
+  FC_READ_ONE(&mapping_kind, mapping.kind);
+  FC_READ_ONE(&pattern_kind, texture.pattern);
   mapping_kind.locate(shading, &mapping, uv_q24);
   uv_q24[0] *= mapping.repeat_u; /* 50 + 8 bits */
   uv_q24[1] *= mapping.repeat_v;

@@ -11,7 +11,7 @@ FC_COLD bool fc_corners_of(const fc_surface *surface, fc_corner corner[3]) {
   uint32_t weight_q30[3];
   uint8_t i;
   if (kind->weights == NULL) return false;
-  FC_READ(&triangle, (const fc_triangle *)group->shapes.items + (surface->primitive - group->first), sizeof triangle);
+  FC_READ_ONE(&triangle, (const fc_triangle *)group->shapes.items + (surface->primitive - group->first));
   kind->prepare(&surface->form, surface->origin, &prepared);
   kind->weights(&prepared, surface->direction, weight_q30);
   for (i = 0; i < 3; i++) {

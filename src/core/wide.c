@@ -80,7 +80,7 @@ static FC_COLD void add_product(uint16_t *sum, uint8_t n, const uint16_t *a, uin
 
 static uint8_t next_byte(const uint8_t **program) {
   uint8_t byte;
-  FC_READ(&byte, *program, 1);
+  FC_READ_ONE(&byte, *program);
   ++*program;
   return byte;
 }

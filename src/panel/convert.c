@@ -77,7 +77,8 @@ static void grey4_row(const uint8_t *from, uint8_t *to, uint16_t width, const ui
   uint16_t add[8], i;
   for (i = 0; i < 8; i++) add[i] = (uint16_t)(22u * b[i] + 11u);
   for (i = 0; i + 1u < width; i = (uint16_t)(i + 2u)) {
-    const uint8_t left = grey4(pixel_at(from, i), add[i & 6u]), right = grey4(pixel_at(from, (uint16_t)(i + 1u)), add[(i & 6u) + 1u]);
+    const uint8_t left = grey4(pixel_at(from, i), add[i & 6u]);
+    const uint8_t right = grey4(pixel_at(from, (uint16_t)(i + 1u)), add[(i & 6u) + 1u]);
     *to++ = (uint8_t)((left << 4) | right);
   }
   if (i < width) *to = (uint8_t)(grey4(pixel_at(from, i), add[i & 6u]) << 4);

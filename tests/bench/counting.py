@@ -3,13 +3,17 @@ import collections
 import os
 import pathlib
 import re
+import sys
 import tempfile
 import typing
 
 import linkmap
-from images import HERE, Failure, TARGETS, execute
+from images import HERE, ROOT, Failure, TARGETS, execute
 
-RP2040JS = "rp2040js@1.4.1"
+sys.path.insert(0, str(ROOT / "src/port/tools"))
+import boards  # noqa: E402
+import rp2040js  # noqa: E402
+
 MARKS = ("bench_mark_other", "bench_mark_setup", "bench_mark_strips")
 REGIONS = {1: "setup", 2: "strips"}
 
@@ -54,13 +58,12 @@ def run_on_host(image):
     return read_printed(execute([image], 600))
 
 
-def rp2040js(work):
+def emulator(work):
     """The directory where npm has put the RP2040 emulator."""
-    place = pathlib.Path(work) / "node"
-    if not (place / "node_modules/rp2040js/package.json").exists():
-        place.mkdir(parents=True, exist_ok=True)
-        execute(["npm", "install", "--prefix", place, "--no-audit", "--no-fund", "--ignore-scripts", RP2040JS], 300)
-    return place
+    try:
+        return rp2040js.installed(pathlib.Path(work) / "node")
+    except boards.Failure as failure:
+        raise Failure(str(failure)) from None
 
 
 def qemu_command(target, image, work, files, addresses, limit):
@@ -71,7 +74,7 @@ def qemu_command(target, image, work, files, addresses, limit):
 
 def rp2040_command(target, image, work, files, addresses, limit):
     execute([f"{target.prefix}objcopy", "-O", "binary", image, files["bytes"]])
-    return [*target.run, HERE / "cycles.mjs", rp2040js(work), files["bytes"], files["out"], files["symbols"], limit,
+    return [*target.run, HERE / "cycles.mjs", emulator(work), files["bytes"], files["out"], files["symbols"], limit,
             *(f"{address:x}" for address in addresses)]
 
 

@@ -143,7 +143,7 @@ def run(suite, todo, jobs):
             suite.workshop.scenes.for_rivals(scene)
     counting.plugin(suite.workshop.work)
     if any(image.target == "rp2040" for image in todo):
-        counting.rp2040js(suite.workshop.work)
+        counting.emulator(suite.workshop.work)
     on_host = {image: image._replace(target="host", opt="-O2") for image in todo}
     started, steps = time.monotonic(), len(todo) + len(set(on_host.values()))
     done = 0

@@ -267,6 +267,16 @@ def check_display(simulator, directory, report):
             report.at_most(f"brightness of rows {16 * part} and on, {name}", 6, abs(sum(shown[cut]) - sum(plain[cut])) / 2048)
 
 
+    # A white sky over a dark plane, its edge within a page of eight rows: the very rows.
+    sky = ("--background", "1", "--ambient", "0.3", "--light", "0,9,0", "--at", "0,1.46,0")
+    run(simulator, "render", S1, "--size", "128x64", *sky, "-o", path)
+    white = [min(row) == 255 for row in picture_files.png(path)[4]]
+    report.check(8 < sum(white) < 56 and sum(white) % 8 != 0, f"{sum(white)} rows of sky: no check")
+    for name in ("ssd0323", "ssd1306"):
+        run(simulator, "render", S1, *sky, "--display", name, "-o", path)
+        report.equal(f"rows of sky, {name}", white[:40], [min(row) == 255 for row in picture_files.png(path)[4]][:40])
+
+
 def check_progress(simulator, directory, report):
     """A bar with an estimate on a terminal, nothing in a pipe."""
     command = [simulator, "render", str(FLAKE), "--size", "200x200", "--path", "orbit", "--frames", "20", "-o", str(directory / "bar.gif")]

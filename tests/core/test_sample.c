@@ -639,7 +639,7 @@ static void test_a_pixel_is_the_mean_of_single_rays_shaded_alone(void) {
         direction[1] = (HEIGHT * N - 2 * (y * N + i / N) - 1) * (INT64_C(1) << large.view.pixel_shift);
         direction[2] = large.view.focal;
         nearest = fc_space_nearest(&space, origin, direction, 0, UINT64_MAX, NULL);
-        fc_shade_background(&large, radiance);
+        fc_shade_background(&large, direction, radiance);
         if (nearest != 0xffff && fc_surface_meet(&surface, &space, nearest, origin, direction)) {
           /* s1's far limit: 100 units, by hand: t |d| in world units */
           double t = 0, length = 0;

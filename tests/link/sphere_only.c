@@ -1,7 +1,7 @@
 /* A firmware whose scene holds spheres and nothing else: what it links, checks/linked.py looks through. */
 #include "fixcast/fixcast.h"
 
-static const fc_material material[] FC_ROM = {{FC_RGB8(200, 100, 50)}};
+static const fc_material material[] FC_ROM = {FC_MATTE(FC_RGB8(200, 100, 50))};
 static const fc_sphere spheres[] FC_ROM = {{FC_VEC3(0, 0, -4), FC_Q16(1), 0, 1}};
 static const fc_light lights[] FC_ROM = {{.position = FC_VEC3(-3, 5, 1), .intensity = FC_GREY(0.875)}};
 static const fc_shapes shapes[] FC_ROM = {FC_SPHERES(spheres)};

@@ -1,5 +1,5 @@
-"""The example for the Raspberry Pi Pico SDK (examples/pico-sdk): builds it with the SDK as Debian has it, runs its UF2 file in an emulator, and compares what
-the glass shows with the simulator's picture.
+"""The example for the Raspberry Pi Pico SDK (examples/pico-sdk): builds it with the SDK as Debian has it, runs its UF2 file in an emulator, and
+compares what the glass shows with the simulator's picture.
 
 example.py SIMULATOR WORK
 """

@@ -1,6 +1,6 @@
 /*
- * How a Pico shares a strip between its cores (src/port/pico/cores.c), with a thread as core 1 and queues as the FIFOs between them: the same pixels, depth
- * codes, primitives and lights as one core gives, for any strips; errors of either half come out. ThreadSanitizer watches.
+ * How a Pico shares a strip between its cores (src/port/pico/cores.c), with a thread as core 1 and queues as the FIFOs between them: the same
+ * pixels, depth codes, primitives and lights as one core gives, for any strips; errors of either half come out. ThreadSanitizer watches.
  * And how core 1 is started (launch.c): the thread is the boot ROM first, as the RP2040 data sheet's 2.8.2 has it, on a bad day.
  */
 #include <pthread.h>

@@ -2,7 +2,8 @@
  * The second core: draws the lower half of a strip's rows while core 0 draws the upper half.
  *
  * Both read the same frame and write different rows of the same target, so there is no lock; words through the
- * FIFOs between the cores start and end each half. Core 1 takes no interrupts: the display's bus is core 0's alone.
+ * FIFOs between the cores start and end each half. Core 1 takes no interrupts: the display's bus is core 0's alone. An option of the build
+ * (main.c): 4 KB more RAM for the second stack.
  */
 #ifndef FIXCAST_PORT_PICO_CORES_H
 #define FIXCAST_PORT_PICO_CORES_H

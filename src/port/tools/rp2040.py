@@ -1,46 +1,25 @@
 """Boards with an RP2040, in the emulator rp2040js with a strict ST7789 (rp2040/*.mjs): boots the UF2 file that a user copies."""
 import json
-import os
 import pathlib
 import re
-import shutil
 import tempfile
 import typing
 
+import rp2040js
 import uf2
 from boards import BUILD, Failure, find
 from run import execute
 
 TOOL = "node"
-RP2040JS = "rp2040js@1.4.1"
 HERE = pathlib.Path(__file__).resolve().parent / "rp2040"
 NOTE = ("Cycles are those of a Cortex-M0+ whose code comes from flash without waiting; bits take their time on the wires. "
-        "There is one core.")
+        "Two cores never wait for each other at memory.")
 
 
 class Seen(typing.NamedTuple):
     text: str      # of the serial line
     pictures: list  # RGB bytes at each stop: the pattern, then the frames
     figures: dict  # run.mjs: width, height, problems, frames_a_second, bus_busy, ...
-
-
-def modules():
-    """The directory where npm has put rp2040js."""
-    place = BUILD / "node"
-    if not (place / "node_modules/rp2040js/package.json").exists():
-        place.parent.mkdir(parents=True, exist_ok=True)
-        fresh = pathlib.Path(tempfile.mkdtemp(prefix="node-", dir=place.parent))
-        try:
-            execute(["npm", "install", "--prefix", fresh, "--no-audit", "--no-fund", "--ignore-scripts", RP2040JS],
-                    "installing the RP2040 emulator")
-            fresh.chmod(0o755)
-            fresh.rename(place)
-        except OSError:  # somebody else was faster
-            if not place.exists():
-                raise
-        finally:
-            shutil.rmtree(fresh, ignore_errors=True)
-    return place
 
 
 def stop_of(prefix, elf, function):
@@ -56,7 +35,7 @@ def watch(elf, panel, frames, prefix="arm-none-eabi-", words=(), function="fc_fi
     image = uf2.file_of(elf)
     with tempfile.TemporaryDirectory(prefix="fixcast-") as place:
         out = pathlib.Path(place) / "seen"
-        execute(["node", HERE / "run.mjs", modules(), image, panel, stop_of(prefix, elf, function), frames, out, *words],
+        execute(["node", HERE / "run.mjs", rp2040js.installed(BUILD / "node"), image, panel, stop_of(prefix, elf, function), frames, out, *words],
                 f"emulating {image}")
         figures = json.loads(pathlib.Path(f"{out}.json").read_text())
         text = pathlib.Path(f"{out}.log").read_text(errors="replace").replace("\r", "")

@@ -1,5 +1,5 @@
 /*
- * A Raspberry Pi Pico in an emulator (rp2040js, one core) that is stricter than the emulator: it starts as the boot ROM starts a UF2
+ * A Raspberry Pi Pico in an emulator (rp2040js, and core 1 besides) that is stricter than the emulator: it starts as the boot ROM starts a UF2
  * image, takes its time on SPI and UART, and minds resets, pin functions and clocks. What is wrong becomes a sentence.
  *
  * Numbers in brackets are sections of the RP2040 data sheet.
@@ -9,6 +9,7 @@ import { createRequire } from 'node:module';
 import path from 'node:path';
 
 import { FlashInterface } from './flash.mjs';
+import { SecondCore } from './second_core.mjs';
 
 const FLASH = 0x10000000, FLASH_END = 0x11000000, BOOT2_AT = 0x20041f00, BOOT2_BYTES = 252;
 /* What the emulator lacks and no program here needs: UART0's DMA. */
@@ -89,6 +90,7 @@ export class Board {
     this.wire_flash(flash_status2);
     this.wire_spi(display);
     this.wire_uart();
+    this.second = new SecondCore(mcu, (text) => this.problem(text));
     this.start();
   }
 
@@ -116,7 +118,8 @@ export class Board {
     const watchdog = mcu.peripherals[0x40058], write = watchdog.writeUint32.bind(watchdog);
     watchdog.tickEnable = false;
     watchdog.writeUint32 = (offset, value) => {
-      if (offset === 0x2c && (value & 0x1ff) !== CRYSTAL_MHZ) this.problem(`the timer's tick comes every ${value & 0x1ff} periods of the crystal, not every 12`);
+      const periods = value & 0x1ff;
+      if (offset === 0x2c && periods !== CRYSTAL_MHZ) this.problem(`the timer's tick comes every ${periods} periods of the crystal, not every 12`);
       write(offset, value);
     };
     mcu.findPeripheral = (address) => {
@@ -136,9 +139,13 @@ export class Board {
 
   expect_pin(pin, name, functions, is_output) {
     const gpio = this.mcu.gpio[pin];
-    if (!functions.includes(gpio.functionSelect)) this.problem(`GPIO ${pin} (${name}) has function ${gpio.functionSelect}, it takes ${functions.join(' or ')}`);
-    else if (gpio.outputDisable) this.problem(`the pad of GPIO ${pin} (${name}) has its output disabled`);
-    else if (is_output && !gpio.outputEnable) this.problem(`GPIO ${pin} (${name}) does not drive`);
+    if (!functions.includes(gpio.functionSelect)) {
+      this.problem(`GPIO ${pin} (${name}) has function ${gpio.functionSelect}, it takes ${functions.join(' or ')}`);
+    } else if (gpio.outputDisable) {
+      this.problem(`the pad of GPIO ${pin} (${name}) has its output disabled`);
+    } else if (is_output && !gpio.outputEnable) {
+      this.problem(`GPIO ${pin} (${name}) does not drive`);
+    }
   }
 
   /* Once, when the first byte goes out: what the emulator does not look at. */
@@ -237,10 +244,19 @@ export class Board {
   press(button, pressed) { this.mcu.gpio[PINS[button]].setInputValue(!pressed); }
 
   instruction() {
-    const { core, clock } = this;
-    if (!core.waiting) clock.tick(core.executeInstruction() * 1e9 / this.mcu.clkSys);
-    else if (clock.nextAlarm !== null) clock.tick(clock.nanosToNextAlarm);
-    else this.stopped = 'the processor waits for an interrupt, and none will come';
+    const { core, clock, second } = this;
+    if (!core.waiting) {
+      clock.tick(core.executeInstruction() * 1e9 / this.mcu.clkSys);
+      if (second.running) second.catch_up(clock.nanos);
+    } else if (second.busy) {
+      const spent = second.instruction();
+      second.now += spent;
+      clock.tick(Math.max(0, second.now - clock.nanos));
+    } else if (clock.nextAlarm !== null) {
+      clock.tick(clock.nanosToNextAlarm);
+    } else {
+      this.stopped = 'the processor waits for an interrupt, and none will come';
+    }
   }
 
   /* The second boot stage, until code runs from flash. */
@@ -253,7 +269,8 @@ export class Board {
     this.flash.check_in_place();
   }
 
-  /* Runs to the next time that `address` is reached: true, or false when `limit_ms` of the chip's time have passed or it stopped (`stopped` says why). */
+  /* Runs to the next time that `address` is reached: true; or false when `limit_ms` of the chip's time have passed or it stopped, and `stopped`
+   * says why. */
   run_to(address, limit_ms) {
     const { core } = this, limit = this.now + limit_ms * 1e6;
     do {

@@ -5,7 +5,8 @@
  * MODULES: the directory in which npm installed rp2040js. PANEL: a name of GLASSES in st7789.mjs. STOP: the address (hexadecimal) that the
  * program reaches each time that a picture is on the glass: first a test pattern, then FRAMES frames. OUT: files OUT.glass (the glass at
  * each stop, 3 bytes a pixel, red first), OUT.log (the serial line), OUT.json (figures and what was wrong).
- * rom=FILE: bytes of a boot ROM, for programs that call it once they run. AFTER:BUTTONS: after that many stops the buttons are held so, bit 0 for the first, bit 1 for the second.
+ * rom=FILE: bytes of a boot ROM, for programs that call it once they run.
+ * AFTER:BUTTONS: after that many stops the buttons are held so, bit 0 for the first, bit 1 for the second.
  * Exit code 0: all ran, whatever is in OUT.json; 2: it could not be started.
  */
 import fs from 'node:fs';
