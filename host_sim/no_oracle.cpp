@@ -28,4 +28,6 @@ void add_compare_command(CLI::App &app, Action &action) { add_missing(app, actio
 
 void add_depths_command(CLI::App &app, Action &action) { add_missing(app, action, "depths"); }
 
+void add_view_command(CLI::App &app, Action &action) { add_missing(app, action, "view"); }
+
 } // namespace host

@@ -91,15 +91,15 @@ void set_world_scale(SceneFile &file, const std::string &text) {
 } // namespace
 
 void add_scene_options(CLI::App &command, SceneOptions &options) {
-  add_sized_scene_options(command, options);
+  add_plain_scene_options(command, options);
   command.add_option("--size", options.size, "frame size; default: the scene's resolution, or 128x128")
       ->type_name("WxH");
-}
-
-CLI::Option *add_sized_scene_options(CLI::App &command, SceneOptions &options) {
-  CLI::Option *scene = command.add_option("scene", options.scene, "scene file: NFF, or a Wavefront model .obj")->required()->type_name("SCENE");
   command.add_option("--world-scale", options.world_scale, "multiply every length of the scene by N/D")
       ->type_name("N/D");
+}
+
+CLI::Option *add_plain_scene_options(CLI::App &command, SceneOptions &options) {
+  CLI::Option *scene = command.add_option("scene", options.scene, "scene file: NFF, or a Wavefront model .obj")->required()->type_name("SCENE");
   add_bvh_option(command, options);
   add_view_options(command, options);
   return scene;

@@ -31,8 +31,8 @@ struct LoadedScene {
 
 /* SCENE, --size, --world-scale, --bvh, and the camera and lights over those of the file. */
 void add_scene_options(CLI::App &command, SceneOptions &options);
-/* The same without --size, for those whose frames have a size of their own; returns SCENE, which may be made optional. */
-CLI::Option *add_sized_scene_options(CLI::App &command, SceneOptions &options);
+/* SCENE and what is not --size or --world-scale; returns SCENE, which may be made optional. */
+CLI::Option *add_plain_scene_options(CLI::App &command, SceneOptions &options);
 void add_offset_option(CLI::App &command, SceneOptions &options);
 void add_profile_option(CLI::App &command, SceneOptions &options);
 void add_transfer_option(CLI::App &command, SceneOptions &options);

@@ -3,14 +3,15 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "animation.h"
+#include "camera_path.h"
 #include "commands.h"
 #include "fixcast/panel.h"
 #include "frame_run.h"
-#include "orbit_camera.h"
 #include "panel_list.h"
 #include "scene_options.h"
 #include "stop_signal.h"
@@ -19,6 +20,7 @@
 extern "C" {
 #include "controls.h"
 #include "firmware.h"
+#include "orbit.h"
 #include "pattern.h"
 }
 
@@ -37,7 +39,8 @@ struct ShowOptions : SceneOptions {
 /* The scene as the camera goes round it and the buttons have it. */
 class TurningScene : public PictureSource {
 public:
-  TurningScene(LoadedScene scene, Wire &wire) : scene_(std::move(scene)), orbit_(scene_.core), wire_(wire) {
+  TurningScene(const SceneOptions &options, Wire &wire)
+      : options_(options), scene_(load_scene(options)), orbit_(make_camera_path("orbit", scene_.file, scene_.core)), wire_(wire) {
     fc_controls_start(&controls_);
     depth_.resize(static_cast<std::size_t>(scene_.width) * static_cast<std::size_t>(scene_.height));
   }
@@ -47,7 +50,7 @@ public:
     fc_controls_buttons(&controls_, wire_.buttons());
     begun_ = true;
     if (controls_.pattern) return;
-    scene_.core.camera = orbit_.at(controls_.step);
+    scene_.core.camera = camera(controls_.step);
     frame_ = std::make_unique<CoreFrame>(scene_.file, scene_.core, scene_.options, scene_.width, scene_.height);
   }
 
@@ -66,8 +69,16 @@ public:
   }
 
 private:
+  /* Converting a large scene costs more than drawing it: each view is converted once. */
+  const fc_camera &camera(unsigned step) {
+    if (!cameras_[step]) cameras_[step] = prepare_scene(options_, orbit_->at(static_cast<int>(step), FC_ORBIT_STEPS)).core.camera;
+    return *cameras_[step];
+  }
+
+  SceneOptions options_;
   LoadedScene scene_;
-  OrbitCamera orbit_;
+  std::unique_ptr<CameraPath> orbit_;
+  std::optional<fc_camera> cameras_[FC_ORBIT_STEPS];
   Wire &wire_;
   fc_controls controls_{};
   bool begun_ = false;
@@ -105,6 +116,7 @@ Wiring::Button to_button(const std::string &text) {
 void check(const ShowOptions &options) {
   if (options.pattern != options.scene.empty())
     throw UserError(options.pattern ? "show takes a scene or --pattern, not both" : "show needs a SCENE to show, or --pattern");
+  if (options.profile == "interlaced") throw UserError("--profile interlaced: show sends whole frames; take exact, fast or half");
   if (options.dry_run) return;
   if (options.wiring.spi.empty() || options.wiring.dc.empty())
     throw UserError("show needs --spi and --dc, or --dry-run; 'fixcast probe' lists what this board has");
@@ -113,10 +125,7 @@ void check(const ShowOptions &options) {
 std::unique_ptr<PictureSource> open_source(ShowOptions options, const fc_panel &panel, Wire &wire) {
   if (options.pattern) return std::make_unique<Pattern>(panel.width, panel.height);
   options.size = std::to_string(panel.width) + "x" + std::to_string(panel.height);
-  LoadedScene scene = load_scene(options);
-  if (scene.options.profile == FC_PROFILE_INTERLACED)
-    throw UserError("--profile interlaced: show sends whole frames; take exact, fast or half");
-  return std::make_unique<TurningScene>(std::move(scene), wire);
+  return std::make_unique<TurningScene>(options, wire);
 }
 
 std::string rate(double per_second) {
@@ -242,7 +251,7 @@ int run_show(ShowOptions options) {
 void add_show_command(CLI::App &app, Action &action) {
   const auto options = std::make_shared<ShowOptions>();
   CLI::App *command = app.add_subcommand("show", "Show a scene, turning, on a panel wired to this board's SPI and GPIO pins");
-  add_sized_scene_options(*command, *options)->required(false);
+  add_plain_scene_options(*command, *options)->required(false);
   command->add_option("--panel", options->panel, "which panel; 'fixcast panels' lists them")->required()->type_name("NAME");
   command->add_option("--spi", options->wiring.spi, "SPI device, such as /dev/spidev0.0; 'fixcast probe' lists them")->type_name("DEVICE");
   command->add_option("--dc", options->wiring.dc, "line of the panel's D/C pin: a name such as GPIO25, or CHIPLABEL:OFFSET")->type_name("LINE");
@@ -269,6 +278,7 @@ void add_show_command(CLI::App &app, Action &action) {
       ->check(CLI::Range(1, static_cast<int>(FC_SIZE_MAX)));
   add_offset_option(*command, *options);
   add_profile_option(*command, *options);
+  add_transfer_option(*command, *options);
   command->add_flag("--crc", options->crc, "print the CRC-32 of each frame's RGB565 pixels");
   command->add_flag("--keep", options->keep, "leave the last frame on the panel; default: the panel is switched off");
   command->add_flag("--dry-run", options->dry_run, "open no device; print what would be sent");

@@ -7,7 +7,7 @@
  *   reset                 the reset line was released
  *   frame N               the last pixel of a whole frame has come: DIRECTORY/frame-N holds what the eye sees, as RGB565, high byte first
  *   light L               the backlight line changed
- *   wrong SENTENCE        what no data sheet allows, on the wires (SPI mode 0, whole bytes, D/C steady within a byte) or in what they say
+ *   wrong SENTENCE        what no data sheet allows, on the wires (SPI mode 0 or 3, whole bytes, D/C steady within a byte) or in what they say
  *   state on=. awake=. commands=. last=XXXX pixels=.     before each reset and at the end: of the panel, since the reset before
  */
 #include <stdarg.h>
@@ -26,7 +26,7 @@ static bool level[WIRES];
 static const char *directory;
 static virtual_panel panel;
 static unsigned told_errors, frames, bits, value, last_commands;
-static bool dc_at_first_bit, seen_reset;
+static bool dc_at_first_bit, seen_reset, idle; /* idle: level of the clock between bytes, low in SPI mode 0 and high in 3 */
 static unsigned long commands_before, pixels_before, frame_began;
 static double told_us; /* what the panel knows of the time */
 
@@ -88,10 +88,7 @@ static void byte(bool data, uint8_t b) {
 }
 
 static void clock_rises(void) {
-  if (level[CS]) {
-    wrong("the clock rises while the chip select is inactive");
-    return;
-  }
+  if (level[CS]) return; /* another device's, or the clock on its way to its idle level */
   if (bits == 0) dc_at_first_bit = level[DC];
   if (level[DC] != dc_at_first_bit) wrong("D/C changes within a byte");
   value = value << 1 | level[MOSI];
@@ -109,10 +106,11 @@ static void set(int wire, bool high) {
       if (high) clock_rises();
       break;
     case MOSI:
-      if (!level[CS] && level[SCK]) wrong("data changes while the clock is high: not SPI mode 0");
+      if (!level[CS] && level[SCK] && bits != 0) wrong("data changes while the clock is high: neither SPI mode 0 nor 3");
       break;
     case CS:
-      if (level[SCK]) wrong("the chip select changes while the clock is high");
+      if (high && level[SCK] != idle) wrong("the chip select rises while the clock is not idle");
+      idle = level[SCK];
       if (high && bits != 0) wrong("the chip select rises after %u bits of a byte", bits);
       bits = 0;
       break;

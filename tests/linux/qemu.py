@@ -111,7 +111,7 @@ def build(work, source, cli11, tinyobj):
     shutil.copy2(pathlib.Path(tinyobj) / "tiny_obj_loader.h", headers)
     for api in ("v1", "v2"):
         run("cmake", "-S", source, "-B", work / "cross", "--log-level=WARNING", f"-DCMAKE_TOOLCHAIN_FILE={HERE / 'aarch64.cmake'}",
-            "-DFIXCAST_ORACLE=OFF", "-DFIXCAST_OPENIMAGEIO=OFF", "-DFIXCAST_TESTS=OFF", "-DCMAKE_CXX_FLAGS_RELEASE=-O0",
+            "-DFIXCAST_ORACLE=OFF", "-DFIXCAST_OPENIMAGEIO=OFF", "-DFIXCAST_SDL2=OFF", "-DFIXCAST_TESTS=OFF", "-DCMAKE_CXX_FLAGS_RELEASE=-O0",
             f"-DFIXCAST_LIBGPIOD={parts.libgpiod(api)}", f"-DCLI11_INCLUDE_DIR={headers}", f"-DTINYOBJLOADER_INCLUDE_DIR={headers}",
             f"-DZLIB_INCLUDE_DIR={parts.zlib()}", f"-DZLIB_LIBRARY={parts.zlib() / 'libz.a'}")
         run("cmake", "--build", work / "cross", "--parallel", "2", "--target", "fixcast_simulator")

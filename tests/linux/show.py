@@ -71,7 +71,7 @@ def check_panels(report, show):
 def check_stream(report, show):
     """The summary of a stream, from what is known of the ST7789: reset, initialisation, window, pixels, off."""
     text = show.dry(SCENES / "s1.nff", "--panel", "st7789-240", "--reset", "x", "--backlight", "y", "--frames", "2", "--hz", "40000000")
-    order = [r"reset low", r"wait [\d.]+ ms", r"reset high", r"01", r"11", r"wait 120 ms", r"3A 55", r"29", r"clock 40000000 Hz, SPI mode 0",
+    order = [r"reset low", r"wait [\d.]+ ms", r"reset high", r"01", r"11", r"wait 120 ms", r"3A 55", r"29", r"clock 40000000 Hz, SPI mode [03]",
              r"2A 00 00 00 ef", r"2B 00 00 00 ef",
              r"2C \+ 115200 bytes, crc32 \w+", r"backlight on", r"2C \+ 115200 bytes, crc32 \w+", r"backlight off",
              r"28", r"10", r"in all: \d+ commands, \d+ data bytes, crc32 \w+ "]
@@ -96,10 +96,10 @@ def check_orbit(report, show, directory):
             coordinates = [0, 0, 0]
             coordinates[axis], coordinates[(axis + 1) % 3], coordinates[(axis + 2) % 3] = up, ahead, aside
             return " ".join(map(str, coordinates))
-        spheres = {"a": place(0, 1, 1), "b": place(1.5, 2.5, 0.25), "c": place(0.25, 0.5, -0.5)}  # the box around all: 0..3 and -1..2
-        middle = (1.5, 0.5)
+        spheres = {"a": place(0, 1, 1), "b": place(1.5, 2.5, 0.25), "c": place(0.25, 0.5, -0.5)}
+        middle = (1.5, 0.5)  # of the box around all, 0..3 and -1..2; the view goes through it, so that the camera goes round it
         frames = []
-        start = ((0.5, -7, 2), (0.25, 1, 0.5), (8, 1, 2))
+        start = ((0.5, -7, 0.5), (0.5, 1, 0.5), (8, 0, 0))
 
         def turned(point, centre):
             up, ahead, aside = point

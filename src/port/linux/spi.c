@@ -108,10 +108,11 @@ int fc_linux_spi_configure(fc_linux_spi *spi, uint32_t hz, uint8_t spi_mode, fc_
     (void)fc_linux_fail(error, 0, "%s: SPI mode %d is none of 0 and 3", spi->path, spi_mode);
     return error->code = FC_ERR_UNSUPPORTED;
   }
+  /* Mode 0 for either: both have data ready as the clock rises. For mode 3 the kernel's bit-banged bus raises the clock after it has selected the
+   * chip, which takes that for the first bit. */
   /* What the device tree says of the wires (an inverted chip select, say) stays. */
   if (ioctl(spi->file, SPI_IOC_RD_MODE32, &mode) != 0) return set_failed(spi, "SPI_IOC_RD_MODE32", 0, error);
   mode &= ~(uint32_t)(SPI_CPHA | SPI_CPOL | SPI_LSB_FIRST);
-  mode |= spi_mode;
   if (ioctl(spi->file, SPI_IOC_WR_MODE32, &mode) != 0) return set_failed(spi, "SPI_IOC_WR_MODE32", mode, error);
   if (ioctl(spi->file, SPI_IOC_WR_BITS_PER_WORD, &bits) != 0) return set_failed(spi, "SPI_IOC_WR_BITS_PER_WORD", bits, error);
   if (ioctl(spi->file, SPI_IOC_WR_MAX_SPEED_HZ, &hz) != 0) return set_failed(spi, "SPI_IOC_WR_MAX_SPEED_HZ", hz, error);
