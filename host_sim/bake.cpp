@@ -109,7 +109,7 @@ std::string c_layers(const std::string &name, const CoreLayers &layers) {
       const char *how = m.kind == &fc_mapping_planar ? "planar" : m.kind == &fc_mapping_spherical ? "spherical" : "vertices";
       text += record("fc_mapping", "_mapping", std::string("&fc_mapping_") + how + ", " + c_vec3(m.origin) + ", " + c_vec3(m.u) + ", " +
                                                    c_vec3(m.v) + ", " + c_int(m.exponent) + ", " + c_int(m.repeat_u) + ", " + c_int(m.repeat_v));
-      const bool image = layers.texture.pattern == &fc_pattern_image;
+      const bool image = layers.texture.pattern == &fc_texture_image;
       if (image) {
         text += "static const uint8_t " + name + "_texels[] FC_ROM = {";
         for (std::size_t i = 0; i < layers.texels.size(); i++)
@@ -121,7 +121,7 @@ std::string c_layers(const std::string &name, const CoreLayers &layers) {
       } else {
         text += record("fc_checker", "_checker", "{" + c_rgb(layers.checker.colour[0]) + ", " + c_rgb(layers.checker.colour[1]) + "}");
       }
-      text += record("fc_texture", "_texture", "&" + name + "_mapping, &fc_pattern_" + (image ? "image, &" : "checker, &") + name +
+      text += record("fc_texture", "_texture", "&" + name + "_mapping, &fc_texture_" + (image ? "image, &" : "checker, &") + name +
                                                    (image ? "_image, " : "_checker, ") + c_int(layers.texture.modulate));
     }
     if (layer.data != nullptr) data = "&" + name + "_" + kind;

@@ -61,14 +61,18 @@ class Gallery:
         """panels: (picture, caption)."""
         columns = columns or len(panels)
         rows = -(-len(panels) // columns)
-        figure, axes = plt.subplots(rows, columns, figsize=(INCH * columns, (INCH + 0.45) * rows + 0.3), squeeze=False)
+        shapes = [picture.shape for picture, _ in panels]
+        widths = [max(shape[1] / shape[0] for shape in shapes[c::columns]) for c in range(columns)]
+        high = INCH if columns == 1 else INCH / max(1.0, sum(widths) / columns)
+        figure, axes = plt.subplots(rows, columns, figsize=(high * sum(widths) + 0.2 * columns, (high + 0.65) * rows + 0.45), squeeze=False,
+                                    gridspec_kw={"width_ratios": widths})
         for axis in axes.flat:
             axis.axis("off")
         for axis, (picture, caption) in zip(axes.flat, panels):
             axis.imshow(picture, interpolation="nearest")
             axis.set_title(caption, fontsize=8)
-        figure.suptitle(title, fontsize=10)
-        figure.tight_layout()
+        figure.suptitle(title, fontsize=9)
+        figure.tight_layout(pad=0.4, rect=(0, 0, 1, 0.91))
         path = self.directory / f"{name}.png"
         figure.savefig(path, dpi=110, metadata={"Software": None})
         plt.close(figure)
@@ -83,7 +87,7 @@ def acne(g):
     """Shadow rays that start too near, and too far."""
     s1 = SCENES / "s1.nff"
     panels = []
-    for rule, name in (("none", "no offset: acne"), ("epsilon=0.0000001", "epsilon 1e-7: acne left"), ("epsilon=0.1", "epsilon 0.1: lights leak in"),
+    for rule, name in (("none", "no offset: acne"), ("epsilon=0.00000001", "epsilon 1e-8: acne left"), ("epsilon=0.1", "epsilon 0.1: lights leak in"),
                        ("epsilon=0.5", "epsilon 0.5: shadows leave their feet"), ("exact", "exact: no offset at all")):
         size = ("--size", "128x128")
         picture, _ = g.picture(s1, "--offset", rule, *size)
@@ -106,6 +110,7 @@ def fighting(g):
     values = list(counts.values())
     axes[1].barh(list(counts), values, color="#c0603a")
     axes[1].set_title("pixels in the wrong order with 16 bits of depth alone", fontsize=8)
+    axes[1].set_xlim(0, 1.15 * max(values))
     for i, value in enumerate(values):
         axes[1].text(value, i, f" {value}", va="center", fontsize=8)
     figure.tight_layout()
@@ -150,8 +155,8 @@ def lenses(g):
 
 
 def shading(g):
-    g.save("shading", "Flat, smooth, and Phong's highlight (80 triangles each)",
-           [(g.picture(SCENES / "smooth.nff", "--transfer", "srgb", "--size", "320x160", "--samples", "regular:2")[0], "")])
+    g.save("shading", "Flat, smooth, and Phong's highlight",
+           [(g.picture(SCENES / "smooth.nff", "--transfer", "srgb", "--size", "480x200", "--samples", "regular:2")[0], "80 triangles each")])
 
 
 def main():

@@ -229,12 +229,12 @@ private:
       layers.texels = *t.texels;
       layers.image = {layers.texels.data(), static_cast<std::uint16_t>(t.width), static_cast<std::uint16_t>(t.height),
                       FC_TEXEL_RGB888, t.bilinear, t.clamp};
-      layers.texture.pattern = &fc_pattern_image;
+      layers.texture.pattern = &fc_texture_image;
       layers.texture.pattern_data = &layers.image;
     } else {
       for (std::size_t i = 0; i < 2; i++)
         layers.checker.colour[i] = q15(values(t.checker[i]), 32768, line, "the checker's colour");
-      layers.texture.pattern = &fc_pattern_checker;
+      layers.texture.pattern = &fc_texture_checker;
       layers.texture.pattern_data = &layers.checker;
     }
   }

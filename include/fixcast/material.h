@@ -100,9 +100,9 @@ typedef struct fc_mapping {
 } fc_mapping;
 
 /* What colour stands at (u, v). */
-typedef struct fc_pattern_kind fc_pattern_kind;
-extern const fc_pattern_kind fc_pattern_checker; /* two by two squares a tile, the first colour at (0, 0) */
-extern const fc_pattern_kind fc_pattern_image;
+typedef struct fc_texture_kind fc_texture_kind;
+extern const fc_texture_kind fc_texture_checker; /* two by two squares a tile, the first colour at (0, 0) */
+extern const fc_texture_kind fc_texture_image;
 typedef struct fc_checker {
   fc_rgb colour[2];
 } fc_checker;
@@ -124,7 +124,7 @@ typedef struct fc_image {
 extern const fc_layer_kind fc_layer_texture;
 typedef struct fc_texture {
   const fc_mapping *mapping;
-  const fc_pattern_kind *pattern;
+  const fc_texture_kind *pattern;
   const void *pattern_data; /* fc_checker or fc_image */
   uint8_t modulate;         /* 0: replaces; 1: multiplies */
 } fc_texture;

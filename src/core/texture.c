@@ -7,7 +7,7 @@ static FC_COLD int check(const void *data) {
   fc_texture texture;
   fc_mapping mapping;
   fc_mapping_kind mapping_kind;
-  fc_pattern_kind pattern_kind;
+  fc_texture_kind pattern_kind;
   int error;
   if (data == NULL) return FC_ERR_MATERIAL;
   FC_READ(&texture, data, sizeof texture);
@@ -25,7 +25,7 @@ static FC_COLD void surface(fc_shading *shading, const void *data) {
   fc_texture texture;
   fc_mapping mapping;
   fc_mapping_kind mapping_kind;
-  fc_pattern_kind pattern_kind;
+  fc_texture_kind pattern_kind;
   int64_t uv_q24[2];
   uint16_t colour[3];
   uint8_t i;

@@ -11,7 +11,7 @@ struct fc_mapping_kind {
   void (*locate)(const fc_shading *shading, const fc_mapping *mapping, int64_t uv_q24[2]);
 };
 
-struct fc_pattern_kind {
+struct fc_texture_kind {
   int (*check)(const void *data);
   /* The colour at (u, v), Q15. */
   void (*colour)(const void *data, const int64_t uv_q24[2], uint16_t colour[3]);

@@ -61,6 +61,32 @@ private:
   std::vector<std::int32_t> used_;
 };
 
+/* Layers that a colour picks, again without bytes of their own. */
+const fc_phong phong = {FC_GREY(0.5), 1280};
+const fc_mirror mirror = {FC_GREY(0.75), 3};
+const fc_emission emission = {FC_GREY(0.25), 2};
+const fc_mapping planar = {&fc_mapping_planar, {1000, 0, -7}, {300000, 5, 0}, {0, 40, 2000000}, 0, 3, 255};
+const fc_mapping spherical = {&fc_mapping_spherical, {}, {}, {}, 0, 7, 5};
+const fc_mapping by_vertices = {&fc_mapping_vertices, {}, {}, {}, 0, 1, 1};
+const fc_checker checker = {{FC_GREY(0.25), FC_GREY(1)}};
+const std::uint8_t texels[3 * 2] = {0, 50, 255, 128, 200, 1};
+const fc_image image = {texels, 3, 2, FC_TEXEL_GREY8, 1, 0};
+const fc_texture checkered = {&planar, &fc_texture_checker, &checker, 0}, round = {&spherical, &fc_texture_image, &image, 1},
+                 cornered = {&by_vertices, &fc_texture_image, &image, 0};
+const fc_layer shiny[] = {{&fc_layer_smooth, nullptr}, {&fc_layer_texture, &checkered}, {&fc_layer_phong, &phong}, {&fc_layer_mirror, &mirror}};
+const fc_layer glowing[] = {{&fc_layer_texture, &round}, {&fc_layer_emission, &emission}, {&fc_layer_mirror, &mirror}};
+const fc_layer by_corners[] = {{&fc_layer_texture, &cornered}, {&fc_layer_phong, &phong}};
+const fc_sky sky = {&fc_sky_gradient, {3, 70000, -1}, FC_GREY(0.5)};
+
+fc_material material_of(const fc_rgb &colour) {
+  switch (colour.r % 8) {
+    case 1: return {colour, 4, shiny};
+    case 3: return {colour, 3, glowing};
+    case 5: return {colour, 2, by_corners};
+    default: return {colour, 0, nullptr};
+  }
+}
+
 /* A scene whose tables each have a heap block of exactly their size. */
 class Scene {
 public:
@@ -91,13 +117,15 @@ public:
       triangles_[i].material = values.index(materials_.count());
       triangles_[i].object = in.u8();
     }
-    for (std::size_t i = 0; i < materials_.count(); i++) materials_[i].diffuse = values.colour();
+    for (std::size_t i = 0; i < materials_.count(); i++) materials_[i] = material_of(values.colour());
     for (std::size_t i = 0; i < lights_.count(); i++) {
       lights_[i].position = values.vector();
       lights_[i].intensity = values.colour();
       lights_[i].exponent = values.exponent(-31, 32);
       lights_[i].intensity_exponent = values.exponent(-40, 40);
       lights_[i].inverse_square = in.u8();
+      lights_[i].directional = lights_[i].inverse_square == 3; /* no bytes of its own: stored inputs keep their meaning */
+      if (lights_[i].directional) lights_[i].inverse_square = lights_[i].exponent = 0;
     }
     for (std::size_t i = 0; i < shapes_.count(); i++) add_table(in, values, shapes_[i]);
     scene.shapes = shapes_.get();
@@ -112,6 +140,7 @@ public:
     if (!values.wild()) scene.far_limit = scene.far_limit % 2 == 0 ? 0 : std::abs(scene.far_limit);
     scene.ambient = values.colour();
     scene.background = values.colour();
+    if (scene.background.r % 4 == 1) scene.sky = &sky;
     if (values.wild() && in.u8() == 1) scene.shapes = nullptr;
     if (values.wild() && in.u8() == 1) scene.materials = nullptr;
     if (values.wild() && in.u8() == 1) scene.lights = nullptr;
@@ -345,7 +374,7 @@ void render_all(fuzz::Bytes &in, Values &values, const fc_scene &scene) {
   const Exact<std::uint8_t> memory(bytes);
   fc_frame frame;
   error = fc_frame_setup(&frame, &scene, &camera, &options, width, height, memory.get(), memory.bytes());
-  CHECK(error <= 0 && error >= FC_ERR_DIRECTION);
+  CHECK(error <= 0 && error >= FC_ERR_LENS);
   if (error != FC_OK || width > 8 || height > 8) return;
   if (bytes > 0) {
     fc_frame unused;
