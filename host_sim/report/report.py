@@ -110,6 +110,13 @@ Cortex-M0+ instructions at an assumed {cycles} cycles each. Two cores are inferr
 
 {wire}
 
+## The lectures' methods compared
+
+Pixels of a wrong object at 128x128, each method on the same rays and triangles, against exact visibility (tests/rivals); "-" where a scene has nothing for a
+method.
+
+{rivals}
+
 {accuracy}"""
 
 
@@ -186,15 +193,31 @@ def wire_table(rows):
                                                for clock, cores in wire.CHIPS), "keeps up with the bus", "cycles"], lines)
 
 
-def write(rows, core, accuracy, plots):
+def write(rows, core, accuracy, plots, rivals):
     judged = bars.judged(rows)
     by_function = all(row.get("functions") for row in bench.ours(rows) if row["stages"])
     return TEXT.format(core=core, advice=advice.text(rows), cycles=wire.CYCLES_AN_INSTRUCTION,
                        measured_cycles=wire.cycles_an_instruction(rows), missed=missed_line(judged),
                        bars=bar_table(judged), speed=speed_table(rows), stages=stage_table(rows),
                        by_file="" if by_function else " (here by their files, which is coarser)",
-                       memory=memory_table(rows), wire=wire_table(rows), plots=plots,
+                       memory=memory_table(rows), wire=wire_table(rows), plots=plots, rivals=rivals_table(rivals),
                        accuracy=against_oracle.sections(accuracy))
+
+
+def rivals_table(path):
+    """What tests/rivals found; a sentence where it has not run."""
+    try:
+        scenes = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))["scenes"]
+    except FileNotFoundError:
+        return "Not measured here: `make test` writes build/rivals.json, then `make report` again."
+    wrong, order = {}, []
+    for scene, found in scenes.items():
+        for row in found:
+            key = row["method"], row["numbers"]
+            if key not in order:
+                order.append(key)
+            wrong[key, scene] = row["wrong_objects"]
+    return table(["method", "numbers", *scenes], [(*key, *(number(wrong.get((key, scene))) for scene in scenes)) for key in order])
 
 
 def core_of(bench_file, stale_allowed):
@@ -222,6 +245,7 @@ def main():
     parser.add_argument("--output", default=ROOT / "docs/REPORT.md", metavar="FILE",
                         help="plots go to a directory of that name beside it, in small letters")
     parser.add_argument("--stale", action="store_true", help="take figures of other sources too, and say so")
+    parser.add_argument("--rivals", default=ROOT / "build/rivals.json", metavar="FILE", help="what the test `rivals` wrote")
     parser.add_argument("--no-plots", action="store_true", help="the text alone; needs no matplotlib")
     parser.add_argument("--accuracy", metavar="FILE", help="JSON to use instead of asking the oracle; for tests")
     options = parser.parse_args()
@@ -237,7 +261,7 @@ def main():
                 by_package(SYSTEM_PYTHON)
                 raise bench.Unusable("there is no matplotlib: `.ci/install report` installs it") from None
             pictures.draw(rows, plots)
-        text = write(rows, core, oracle_figures(options), plots.name)
+        text = write(rows, core, oracle_figures(options), plots.name, options.rivals)
     except (bench.Unusable, OSError, subprocess.CalledProcessError) as why:
         print(f"report: {why}", file=sys.stderr)
         return 2
