@@ -94,7 +94,10 @@ static void oled_fails_at_any_byte(const fc_panel *panel) {
     error = rig_start(&it);
     rig_noise(&it, 9);
     if (error == FC_OK) error = rig_draw(&it, 16);
-    if (error == FC_OK) break;
+    if (error == FC_OK) {
+      rig_close(&it);
+      break;
+    }
     TEST_ASSERT_EQUAL_INT(VIRTUAL_FAULT_CODE, error);
     end_of_faults();
     TEST_ASSERT_EQUAL_INT(FC_OK, rig_start(&it));
