@@ -41,8 +41,11 @@ struct fc_layer_kind {
   void (*follow)(fc_shading *shading, const void *data);
 };
 
-/* Shades a completed surface up to its lights: what is left is fc_shading_radiance. Sets *lit as fc_shade does. */
-void fc_shading_light(fc_shading *shading, const fc_frame *frame, const fc_space *space, const fc_surface *surface, uint32_t *lit);
+/* The mask of lights that reach a completed surface, as fc_shade tells it. */
+uint32_t fc_lights_reaching(const fc_frame *frame, const fc_space *space, const fc_surface *surface);
+
+/* Shades a completed surface up to its lights, of which fc_lights_reaching gave the mask: what is left is fc_shading_radiance. */
+void fc_shading_light(fc_shading *shading, const fc_frame *frame, const fc_space *space, const fc_surface *surface, uint32_t lit);
 
 /* What leaves the point so far: of the reflectance and of the layers. */
 void fc_shading_radiance(const fc_shading *shading, uint64_t radiance_q39[3]);

@@ -139,7 +139,6 @@ static FC_COLD void follow(fc_shading *first, const void *data) {
   }
   for (bounce = 1;; bounce++) {
     uint64_t radiance_q39[3];
-    uint32_t lit;
     uint16_t reflectance[3];
     reflect(from, normal, ray.direction);
     fc_surface_offset(&surface, FC_OFFSET_RESIDUAL, 0, ray.origin);
@@ -148,7 +147,7 @@ static FC_COLD void follow(fc_shading *first, const void *data) {
       fc_radiance_add(first->added, weight, radiance_q39);
       return;
     }
-    fc_shading_light(&shading, frame, first->space, &surface, &lit);
+    fc_shading_light(&shading, frame, first->space, &surface, fc_lights_reaching(frame, first->space, &surface));
     fc_shading_radiance(&shading, radiance_q39);
     fc_radiance_add(first->added, weight, radiance_q39);
     data = fc_layer_data(&shading.material, &fc_layer_mirror);

@@ -150,8 +150,16 @@ FC_COLD void fc_layers_apply(fc_shading *shading, uint8_t which) {
 
 /* ---- a point ---- */
 
+FC_COLD uint32_t fc_lights_reaching(const fc_frame *frame, const fc_space *space, const fc_surface *surface) {
+  uint32_t lit = 0;
+  uint16_t i;
+  for (i = 0; i < frame->scene.light_count; i++)
+    if (fc_light_reaches(frame, space, surface, frame->lights + 3 * (size_t)i)) lit |= UINT32_C(1) << (i < 31 ? i : 31);
+  return lit;
+}
+
 FC_COLD void fc_shading_light(fc_shading *shading, const fc_frame *frame, const fc_space *space, const fc_surface *surface,
-                              uint32_t *lit) {
+                              uint32_t lit) {
   const fc_scene *scene = &frame->scene;
   uint16_t ambient[3], i;
   uint8_t j;
@@ -169,13 +177,12 @@ FC_COLD void fc_shading_light(fc_shading *shading, const fc_frame *frame, const 
   }
   fc_layers_apply(shading, FC_LAYER_SURFACE);
   shading->normal_scale = fc_inverse_length(shading->normal);
-  *lit = 0;
   for (i = 0; i < scene->light_count; i++) {
     fc_light light;
     uint32_t q24;
     const int64_t *position = frame->lights + 3 * (size_t)i;
-    if (!fc_light_reaches(frame, space, surface, position)) continue;
-    *lit |= UINT32_C(1) << (i < 31 ? i : 31);
+    if ((lit >> (i < 31 ? i : 31) & 1) == 0) continue;
+    if (i >= 31 && !fc_light_reaches(frame, space, surface, position)) continue; /* the last bit stands for several */
     FC_READ_ONE(&light, scene->lights + i);
     q24 = irradiance_q24(shading, &light, position);
     for (j = 0; j < 3; j++) shading->arriving[j] += (uint64_t)shading->light.colour[j] * q24;
@@ -194,12 +201,17 @@ FC_COLD void fc_shading_radiance(const fc_shading *shading, uint64_t radiance_q3
   }
 }
 
-FC_COLD void fc_shade(const fc_frame *frame, const fc_space *space, const fc_surface *surface, uint64_t radiance_q39[3],
-                      uint32_t *lit) {
+static FC_COLD void shade_lit(const fc_frame *frame, const fc_space *space, const fc_surface *surface, uint32_t lit, uint64_t radiance_q39[3]) {
   fc_shading shading;
   fc_shading_light(&shading, frame, space, surface, lit);
   fc_layers_apply(&shading, FC_LAYER_FOLLOW);
   fc_shading_radiance(&shading, radiance_q39);
+}
+
+FC_COLD void fc_shade(const fc_frame *frame, const fc_space *space, const fc_surface *surface, uint64_t radiance_q39[3],
+                      uint32_t *lit) {
+  *lit = fc_lights_reaching(frame, space, surface); /* the deepest calls come before the shading's record */
+  shade_lit(frame, space, surface, *lit, radiance_q39);
 }
 
 FC_COLD void fc_shade_background(const fc_frame *frame, const int64_t direction[3], uint64_t radiance_q39[3]) {

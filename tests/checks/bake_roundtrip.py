@@ -12,7 +12,7 @@ import tempfile
 
 from support import ROOT, SCENES, Report, fixcast_json
 
-TABLES = ("spheres", "planes", "vertices", "triangles", "materials", "lights", "nodes", "order")
+TABLES = ("spheres", "planes", "vertices", "triangles", "materials", "lights", "nodes", "order", "normals", "uvs", "sky")
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wundef", "-pedantic", "-Werror", "-O1")
 WIDTH, HEIGHT = 64, 48
 
@@ -28,7 +28,7 @@ def table_bytes(object_file, name):
     """The sizes of a baked scene's tables, as the compiler laid them out."""
     total = {}
     for line in run("nm", "-S", object_file).splitlines():
-        match = re.fullmatch(rf"\w+ (\w+) \w {name}_({'|'.join(TABLES)})(?:_\d+)?", line)
+        match = re.fullmatch(rf"\w+ (\w+) \w {name}_({'|'.join(TABLES)}|layers_\d+(?:_[a-z]+)?)(?:_\d+)?", line)
         if match:
             total[match.group(2)] = total.get(match.group(2), 0) + int(match.group(1), 16)
     return total

@@ -503,25 +503,21 @@ static void test_quincunx_weights_sum_to_one_at_every_depth(void) {
   }
 }
 
-/* The lecture's rule as it is written there, recursive and without memory: rays by place, weights as areas. */
-static double by_the_lecture(double x, double y, double side, uint8_t depth, uint32_t *rays) {
+/* The lecture's rule as it is written there, recursive and without memory: rays by place, weights as areas. Places and sides in 1/64 pixels, areas in 1 / (8 4^depth) of the square. */
+static uint32_t by_the_lecture(int32_t x, int32_t y, int32_t side, uint8_t depth, uint32_t *rays) {
   static const int8_t corner[4][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
-  double sum = 0, middle[2];
-  bool centre;
+  const bool centre = edge_a * (x + side / 2) + edge_b * (y + side / 2) < 64 * edge_c;
+  uint32_t sum = 0;
   uint8_t i;
-  middle[0] = x + side / 2;
-  middle[1] = y + side / 2;
-  centre = edge_a * middle[0] + edge_b * middle[1] < edge_c;
   for (i = 0; i < 4; i++) {
-    const double cx = x + side * corner[i][0], cy = y + side * corner[i][1];
-    const bool at = edge_a * cx + edge_b * cy < edge_c;
+    const bool at = edge_a * (x + side * corner[i][0]) + edge_b * (y + side * corner[i][1]) < 64 * edge_c;
     if (at == centre || depth == 0)
-      sum += (at + centre) / 2.0;
+      sum += (uint32_t)(at + centre) << (2 * depth); /* an eighth each */
     else
       sum += by_the_lecture(x + side / 2 * corner[i][0], y + side / 2 * corner[i][1], side / 2, (uint8_t)(depth - 1), rays);
   }
   (*rays)++;
-  return sum / 4;
+  return sum;
 }
 
 static void test_quincunx_is_the_lectures_rule_on_edges_of_any_slope(void) {
@@ -531,14 +527,17 @@ static void test_quincunx_is_the_lectures_rule_on_edges_of_any_slope(void) {
     uint8_t depth = (uint8_t)(trial % (FC_QUINCUNX_DEPTH_MAX + 1)), level;
     uint16_t x = (uint16_t)random_within(0, WIDTH - 2), y = (uint16_t)random_within(0, HEIGHT - 2);
     uint32_t centres = 0;
-    double expected;
+    uint32_t covered;
+    int32_t whole, off;
     edge_a = random_within(-300, 300);
     edge_b = random_within(-300, 300);
     /* through the pixel */
     edge_c = (int32_t)((edge_a * (x * 8 + random_within(0, 8)) + edge_b * (y * 8 + random_within(0, 8))) / 8);
     level = brightness(depth, 0, x, y, &rays);
-    expected = 255 * by_the_lecture(x, y, 1, depth, &centres);
-    TEST_ASSERT_TRUE(level - expected <= 0.5 + 1e-6 && expected - level <= 0.5 + 1e-6);
+    covered = by_the_lecture(64 * x, 64 * y, 64, depth, &centres);
+    whole = INT32_C(8) << (2 * depth);
+    off = 2 * (level * whole - 255 * (int32_t)covered); /* twice: half a level of rounding */
+    TEST_ASSERT_TRUE(off <= whole && off >= -whole);
     /* every square has a centre of its own, and all but the first at most two corners that are not yet there */
     TEST_ASSERT_TRUE(rays >= 1 + centres && rays <= 1 + centres + 2 * (centres - 1));
   }
@@ -642,22 +641,22 @@ static void test_a_pixel_is_the_mean_of_single_rays_shaded_alone(void) {
         fc_shade_background(&large, direction, radiance);
         if (nearest != 0xffff && fc_surface_meet(&surface, &space, nearest, origin, direction)) {
           /* s1's far limit: 100 units, by hand: t |d| in world units */
-          double t = 0, length = 0;
-          for (j = 0; j < 3; j++) length += (double)direction[j] * (double)direction[j];
+          uint64_t square = 0;
           fc_surface_complete(&surface);
-          for (j = 0; j < 3; j++) t += (double)surface.point[j] * (double)direction[j];
-          t = t * t / length; /* distance^2, grid units */
-          for (j = 0; j < (uint16_t)(large.view.shift < 0 ? -large.view.shift : large.view.shift); j++)
-            t = large.view.shift < 0 ? t / 4 : t * 4;
-          if (t < 100.0 * 65536 * 100.0 * 65536) fc_shade(&large, &space, &surface, radiance, &lit);
+          /* the distance's square in 2^-8 units of the world: a coordinate of 100 units has 15 bits there */
+          for (j = 0; j < 3; j++) {
+            int64_t v = surface.point[j] / (INT64_C(1) << (8 - large.view.shift));
+            square += (uint64_t)(v * v);
+          }
+          if (square < UINT64_C(100) * 256 * 100 * 256) fc_shade(&large, &space, &surface, radiance, &lit);
         }
         for (k = 0; k < 3; k++) sum[k] += radiance[k];
       }
       for (k = 0; k < 3; k++) {
-        double level = (double)sum[k] / (N * N) * 255 / 549755813888.0, got = drawn.pixels[(y * WIDTH + x) * 3 + k];
-        if (level > 255) level = 255;
-        /* half a level of rounding, and places that are rounded down by 2^-16 pixels */
-        TEST_ASSERT_TRUE(got - level <= 0.52 && level - got <= 0.52);
+        /* in 1/100 of a level; half a level of rounding, and places that are rounded down by 2^-16 pixels */
+        int32_t level = (int32_t)(((sum[k] / (N * N)) >> 9) * 25500 >> 30), got = 100 * drawn.pixels[(y * WIDTH + x) * 3 + k];
+        if (level > 25500) level = 25500;
+        TEST_ASSERT_TRUE(got - level <= 52 && level - got <= 52);
       }
     }
 }
