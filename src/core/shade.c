@@ -96,7 +96,8 @@ static FC_COLD bool reaches_rounded(const fc_space *space, const fc_surface *sur
   along = fc_i128_dot(n, to);
   if (fc_i128_sign(along) != (surface->inside ? -1 : 1)) return false;
   fc_segment_prepare(&segment);
-  return !fc_space_blocked(space, &segment, FC_PRIMITIVES_MAX);
+  /* a surface that faces the light is not in its way, but for a sphere around the point */
+  return !fc_space_blocked(space, &segment, surface->inside ? FC_PRIMITIVES_MAX : surface->primitive);
 }
 
 FC_COLD bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const int64_t position[3]) {
