@@ -5,6 +5,7 @@ qemu.py test v1|v2 --work DIR --simulator FIXCAST --pins PINS
                                                        boots the board and tries everything; prints what was wrong
 """
 import argparse
+import concurrent.futures
 import pathlib
 import random
 import re
@@ -103,8 +104,15 @@ def run(*command):
 
 def build(work, source, cli11, tinyobj):
     parts = Parts(work)
-    parts.kernel()
-    parts.busybox()
+    parts.zlib()
+    parts.libgpiod("v1")
+    with concurrent.futures.ThreadPoolExecutor() as meanwhile:  # the kernel is most of what is fetched
+        fetched = meanwhile.submit(lambda: (parts.kernel(), parts.busybox()))
+        build_programs(parts, work, source, cli11, tinyobj)
+        fetched.result()
+
+
+def build_programs(parts, work, source, cli11, tinyobj):
     headers = work / "headers"  # alone: the directories that have them hold headers of this machine too
     if not (headers / "CLI").exists():
         shutil.copytree(pathlib.Path(cli11) / "CLI", headers / "CLI")
