@@ -444,16 +444,21 @@ static bool flat_tint(const fc_frame *frame, fc_tint *tint, const fc_material *m
 FC_COLD void fc_scan_tint(fc_scan *scan) {
   const fc_frame *frame = scan->frame;
   fc_tint *tint = &scan->tint;
-  fc_material material;
   uint16_t diffuse[3], ambient[3];
   uint8_t i, level[3];
-  FC_READ_ONE(&material, frame->scene.materials + scan->form->material);
-  scan->light = material.layer_count == 0 ? frame->light : FC_LIGHT_MANY;
+#ifdef FC_ROM_FAR
+  fc_material copy;
+  const fc_material *material = &copy;
+  FC_READ_ONE(&copy, frame->scene.materials + scan->form->material);
+#else
+  const fc_material *material = frame->scene.materials + scan->form->material; /* a triangle's colour: no copy of its layers */
+#endif
+  scan->light = material->layer_count == 0 ? frame->light : FC_LIGHT_MANY;
   tint->transfer = frame->options.transfer;
-  if (scan->light == FC_LIGHT_NONE && tint->transfer == NULL && flat_tint(frame, tint, &material, scan->target->format)) return;
-  diffuse[0] = material.diffuse.r;
-  diffuse[1] = material.diffuse.g;
-  diffuse[2] = material.diffuse.b;
+  if (scan->light == FC_LIGHT_NONE && tint->transfer == NULL && flat_tint(frame, tint, material, scan->target->format)) return;
+  diffuse[0] = material->diffuse.r;
+  diffuse[1] = material->diffuse.g;
+  diffuse[2] = material->diffuse.b;
   ambient[0] = frame->scene.ambient.r;
   ambient[1] = frame->scene.ambient.g;
   ambient[2] = frame->scene.ambient.b;
