@@ -107,7 +107,11 @@ FC_COLD int fc_scene_check_tables(const fc_scene *scene) {
     if (error != FC_OK) return error;
   }
   for (i = 0; i < scene->material_count; i++) {
-    int error = check_material(scene, i);
+    uint16_t layers;
+    int error;
+    FC_READ_ONE(&layers, &scene->materials[i].layer_count);
+    if (layers == 0) continue; /* a mesh may have a colour a face */
+    error = check_material(scene, i);
     if (error != FC_OK) return error;
   }
   return FC_OK;
