@@ -5,7 +5,7 @@ BUILD := build
 FUZZ_SECONDS := 600
 MAKEFLAGS += --no-print-directory
 JOBS := $(shell nproc 2>/dev/null || echo 2)
-CONFIGURE := cmake -S . -B $(BUILD) --log-level=WARNING
+CONFIGURE := cmake -S . -B $(BUILD) --log-level=NOTICE
 
 # What stands in src/port/tools; packages only once there is a board to build for.
 board = $(if $(strip $(BOARD)),.ci/install $(2) &&) python3 src/port/tools/board.py $(1) "$(BOARD)"
