@@ -67,8 +67,7 @@ static FC_COLD void place_far(const fc_view *view, const fc_vec3 *towards, int64
   (void)fc_load(towards, v);
   up = (uint8_t)(30 - fc_vector_bits(v));
   for (i = 0; i < 3; i++) v[i] *= INT64_C(1) << up;
-  /* rows are unit vectors in Q30, v up to 2^30 sqrt 3: below 2^61 */
-  for (i = 0; i < 3; i++) to[i] = view->row[i][0] * v[0] + view->row[i][1] * v[1] + view->row[i][2] * v[2];
+  fc_view_turn(view, v, to); /* v up to 2^30 sqrt 3: below 2^61 */
 }
 
 static FC_COLD int place_lights(const fc_frame *frame, int64_t *to) {

@@ -17,14 +17,10 @@ static FC_COLD int check(const fc_mapping *mapping) {
 /* offset . axis / axis.axis, Q24: the offset in 2^far camera units, at most 30 bits. */
 static FC_COLD int64_t along(const fc_view *view, const int64_t offset[3], uint8_t far, const fc_vec3 *axis, int8_t exponent) {
   int64_t world[3], camera[3], dot;
-  uint8_t i, shift;
+  uint8_t shift;
   fc_quick scale, value;
   (void)fc_load(axis, world);
-  for (i = 0; i < 3; i++) {
-    /* Q30 rows times 30 bits: below 2^62 */
-    const int32_t *row = view->row[i];
-    camera[i] = row[0] * world[0] + row[1] * world[1] + row[2] * world[2];
-  }
+  fc_view_turn(view, world, camera);
   shift = fc_shrink(camera, camera);
   scale = fc_quick_recip(fc_quick_from((uint64_t)fc_dot(world, world), 0)); /* below 3 2^60 */
   scale = fc_quick_scale(scale, (int16_t)(view->shift - view->fine + shift + far - exponent - 30 + 24));

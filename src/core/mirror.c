@@ -33,8 +33,8 @@ static FC_COLD void reflect(const int64_t d[3], const int64_t n[3], int64_t to[3
   to[2] = direction.z;
 }
 
-/* A mirrored ray. Planes are met beyond the 30 bits within which the other forms hold, so it may start far out there: those are met from where
- * it enters the cube that holds all of them. */
+/* A mirrored ray. Planes are met beyond the 30 bits within which the other forms hold, so it may start far out there: all others are met from where
+ * it enters the cube that holds them. */
 typedef struct mirrored {
   int64_t origin[3], direction[3];
   int64_t near[3]; /* in the cube: the origin, or a point of the ray, rounded */

@@ -18,13 +18,8 @@ static FC_COLD int check(const fc_sky *sky) {
 /* `up` in camera axes, 29 to 30 bits. */
 static FC_COLD void set_up(const fc_frame *frame, const fc_sky *sky, int64_t up[3]) {
   int64_t world[3];
-  uint8_t i;
   (void)fc_load(&sky->up, world);
-  for (i = 0; i < 3; i++) {
-    /* Q30 rows times 30 bits: below 2^62 */
-    const int32_t *row = frame->view.row[i];
-    up[i] = row[0] * world[0] + row[1] * world[1] + row[2] * world[2];
-  }
+  fc_view_turn(&frame->view, world, up);
   (void)fc_shrink(up, up);
 }
 

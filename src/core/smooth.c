@@ -3,6 +3,7 @@
 #include "layer.h"
 #include "segment.h"
 #include "vertex.h"
+#include "view.h"
 
 static FC_COLD int check(const void *data) { return data == NULL ? FC_OK : FC_ERR_MATERIAL; }
 
@@ -22,11 +23,8 @@ static FC_COLD void surface(fc_shading *shading, const void *data) {
     world[1] += normal.y * (int64_t)corner[i].weight_q30;
     world[2] += normal.z * (int64_t)corner[i].weight_q30;
   }
-  for (i = 0; i < 3; i++) {
-    /* Q44 cut to Q30, below 2^32, times Q30 rows: below 2^64 / 2 in sum */
-    const int32_t *row = view->row[i];
-    n[i] = row[0] * fc_floor_shift64(world[0], 15) + row[1] * fc_floor_shift64(world[1], 15) + row[2] * fc_floor_shift64(world[2], 15);
-  }
+  for (i = 0; i < 3; i++) world[i] = fc_floor_shift64(world[i], 15); /* Q44 as Q29 */
+  fc_view_turn(view, world, n);
   if ((n[0] | n[1] | n[2]) == 0) return;
   (void)fc_shrink(n, n);
   /* to the side that the flat triangle is seen from */

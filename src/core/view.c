@@ -141,6 +141,15 @@ FC_COLD bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponen
   return true;
 }
 
+FC_COLD void fc_view_turn(const fc_view *view, const int64_t world[3], int64_t camera[3]) {
+  uint8_t i;
+  /* rows are unit vectors in Q30: below 2^62 */
+  for (i = 0; i < 3; i++) {
+    const int32_t *row = view->row[i];
+    camera[i] = row[0] * world[0] + row[1] * world[1] + row[2] * world[2];
+  }
+}
+
 static FC_COLD int32_t clamp_coordinate(int64_t v) {
   if (v > FC_COORDINATE_MAX) return FC_COORDINATE_MAX;
   return v < -FC_COORDINATE_MAX ? -FC_COORDINATE_MAX : (int32_t)v;

@@ -19,6 +19,9 @@ bool fc_view_tangent_valid(const fc_camera *camera);
 /* The world point v * 2^exponent in camera space, rounded to the camera grid; false when beyond 2^62 units. */
 bool fc_view_point(const fc_view *view, const fc_vec3 *v, int8_t exponent, int64_t point[3]);
 
+/* A world vector in camera axes, times 2^30: components up to 2^30, or longer ones whose length is below 2^32. */
+void fc_view_turn(const fc_view *view, const int64_t world[3], int64_t camera[3]);
+
 /* The point t * direction of camera space in world coordinates, rounded, clamped to the coordinates' range. */
 void fc_view_to_world(const fc_view *view, fc_num t, const int64_t direction[3], fc_vec3 *v);
 
