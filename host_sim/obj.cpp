@@ -45,6 +45,15 @@ constexpr double max_coordinate = 1e30;
   throw UserError(path + ":" + std::to_string(line) + ": " + sentence);
 }
 
+/* Splits the first line off, with what ends it: LF, CR LF or CR alone, the ends that tinyobjloader knows. */
+std::string_view take_line(std::string_view &text) {
+  std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+  if (end + 1 < text.size() && text[end] == '\r' && text[end + 1] == '\n') end++;
+  const std::string_view line = text.substr(0, std::min(end + 1, text.size()));
+  text.remove_prefix(line.size());
+  return line;
+}
+
 /* The word that a line begins with. */
 std::string_view keyword_of(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
@@ -96,7 +105,7 @@ bool is_corner(std::string_view text) {
 void check_words(const std::string &path, std::size_t number, std::string_view keyword, std::string_view line) {
   const bool face = keyword == "f", numbers = keyword == "v" || keyword == "vn" || keyword == "vt";
   if (!face && !numbers) return;
-  constexpr const char *blanks = " \t\r";
+  constexpr const char *blanks = " \t\r\n";
   std::size_t words = 0;
   line.remove_prefix(static_cast<std::size_t>(keyword.data() - line.data()) + keyword.size());
   for (std::size_t begin = line.find_first_not_of(blanks); begin != std::string_view::npos && line[begin] != '#';) {
@@ -118,13 +127,11 @@ void check_lines(const std::string &path, std::string_view text) {
   std::size_t faces = 0, number = 0;
   while (!text.empty()) {
     number++;
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string_view line = take_line(text);
     if (line.size() > max_line_bytes) fail(path, number, "a line of more than 65536 characters; save the model as plain text");
     for (const char c : line) {
       const auto byte = static_cast<unsigned char>(c);
-      if ((byte < 0x20 && byte != '\t' && byte != '\r') || byte == 0x7f)
+      if ((byte < 0x20 && byte != '\t' && byte != '\r' && byte != '\n') || byte == 0x7f)
         fail(path, number, "not a text file; save the model as Wavefront OBJ");
     }
     const std::string_view keyword = keyword_of(line);
@@ -134,8 +141,7 @@ void check_lines(const std::string &path, std::string_view text) {
 }
 
 /* A read-only stream over bytes that stay where they are, so that a large file is there once: only the lines that are
- * used here. Others (vw, t, l, p, ...) would
- * be read by parts of tinyobjloader that trust them. */
+ * used here. Others (vw, t, l, p, ...) would be read by parts of tinyobjloader that trust them. */
 class UsedLines : public std::streambuf {
 public:
   explicit UsedLines(std::string_view text) : rest_(text) {}
@@ -143,9 +149,7 @@ public:
 protected:
   int_type underflow() override {
     while (!rest_.empty()) {
-      const std::size_t end = rest_.find('\n');
-      const std::string_view line = rest_.substr(0, end == std::string_view::npos ? rest_.size() : end + 1);
-      rest_.remove_prefix(line.size());
+      const std::string_view line = take_line(rest_);
       const std::string_view keyword = keyword_of(line);
       for (const char *const used : {"v", "vn", "vt", "f", "o", "g", "usemtl", "mtllib"}) {
         if (keyword != used) continue;
