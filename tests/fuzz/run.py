@@ -1,6 +1,6 @@
 """Replays a fuzz target's corpus, then lets it search; one summary line a target.
 
-run.py [--seconds N] [--jobs N] BUILD TARGET...
+run.py [--seconds N] [--seed N] [--jobs N] BUILD TARGET...
 
 The committed corpus is only read. What is found stays in BUILD/found/TARGET, where the next run goes on from it; an
 input that breaks something is kept in BUILD and its end of the log is printed.
@@ -28,7 +28,7 @@ def last(pattern, text):
     return found[-1] if found else "?"
 
 
-def fuzz(target, build, seconds):
+def fuzz(target, build, seconds, seed):
     """True and a summary line, or False and what went wrong."""
     corpus, found, log = HERE / "corpus" / target, build / "found" / target, build / f"{target}.log"
     program = [build / f"fuzz_{target}", f"-timeout={HANG_SECONDS}", f"-artifact_prefix={build}/{target}-"]
@@ -38,7 +38,8 @@ def fuzz(target, build, seconds):
     found.mkdir(parents=True, exist_ok=True)
     failed = run([*program, *inputs], log)
     if not failed and seconds > 0:
-        options = [f"-max_total_time={seconds}", f"-max_len={LONGEST_INPUT[target]}", "-print_final_stats=1"]
+        options = [f"-max_total_time={seconds}", f"-max_len={LONGEST_INPUT[target]}", f"-seed={seed}",
+                   "-print_final_stats=1"]
         if (HERE / f"{target}.dict").is_file():
             options.append(f"-dict={HERE / target}.dict")
         failed = run([*program, *options, found, corpus], log)
@@ -55,13 +56,15 @@ def fuzz(target, build, seconds):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--seconds", type=int, default=10, help="search time of each target; 0: only replay")
+    parser.add_argument("--seed", type=int, default=0, help="of the search; 0: another one each time")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("target", nargs="+")
     arguments = parser.parse_args()
     passed = True
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        runs = [pool.submit(fuzz, target, arguments.build.resolve(), arguments.seconds) for target in arguments.target]
+        runs = [pool.submit(fuzz, target, arguments.build.resolve(), arguments.seconds, arguments.seed)
+                for target in arguments.target]
         for future in runs:
             good, text = future.result()
             passed = passed and good
