@@ -430,6 +430,10 @@ static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restri
   while (count != 0) {
     uint32_t rb = end.rb, g = end.g, d_rb, d_g, some = bits & chunk;
     uint8_t *at = to;
+    if (r->g <= -dg * (INT32_C(1) << s)) { /* a chord must not cross the horizon, where cosines are cut to 0 */
+      shade_run(tint, r, dg, count, bits, to, 2);
+      return;
+    }
     to += 2 << s;
     r->q += (r->dq << s) + q_bend;
     r->dq += r->ddq << s;
