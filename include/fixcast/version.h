@@ -14,7 +14,8 @@
 #define FC_VERSION_TEXT FC_VERSION_JOIN(FC_VERSION_MAJOR, FC_VERSION_MINOR, FC_VERSION_PATCH)
 #define FC_VERSION (FC_VERSION_MAJOR * 10000L + FC_VERSION_MINOR * 100 + FC_VERSION_PATCH)
 
-#define FC_VERSION_JOIN(major, minor, patch) FC_VERSION_QUOTE(major) "." FC_VERSION_QUOTE(minor) "." FC_VERSION_QUOTE(patch)
+#define FC_VERSION_JOIN(major, minor, patch) \
+  FC_VERSION_QUOTE(major) "." FC_VERSION_QUOTE(minor) "." FC_VERSION_QUOTE(patch)
 #define FC_VERSION_QUOTE(number) #number
 
 #endif

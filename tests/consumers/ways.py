@@ -100,9 +100,8 @@ class Ways:
         self.amalgamate(project.place)
         project.shell(readme_block("shell: single header"))
         project.expect(USUAL, "./spheres")
-        # No warning of either compiler; no name that is not the library's own, not even a private one.
-        for compiler in ("gcc", "clang"):
-            execute([compiler, "-std=c99", "-O1", *STRICT, "-c", "-I.", "fixcast.c", "-o", f"{compiler}.o"], cwd=project.place)
+        # No warning (gcc's are errors where the target `amalgamated` is built); no name that is not the library's own, not even a private one.
+        execute(["clang", "-std=c99", "-O1", *STRICT, "-c", "-I.", "fixcast.c", "-o", "clang.o"], cwd=project.place)
         names = [line.split()[-1] for line in execute(["nm", project.place / "clang.o"]).splitlines() if " U " not in line]
         foreign = [name for name in names if not name.startswith(("fc_", ".L"))]
         macros = self.macros(project, '#include "fixcast.c"\n') - self.macros(project, "".join(

@@ -5,7 +5,10 @@
 
 #include "fixcast/fixcast.h"
 
-enum { WIDTH = 32, HEIGHT = 24 };
+enum {
+  WIDTH = 32,
+  HEIGHT = 24
+};
 
 extern const fc_scene s1;
 extern const fc_camera s1_camera;

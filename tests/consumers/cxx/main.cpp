@@ -25,7 +25,9 @@ int main() {
   target.pitch_bytes = 2 * width;
   target.format = FC_RGB565_BE;
   target.depth = depth.data();
-  if (error == FC_OK) error = fc_frame_setup(&frame, &s1, &s1_camera, nullptr, width, height, memory.data(), memory.size() * sizeof memory[0]);
+  if (error == FC_OK)
+    error = fc_frame_setup(&frame, &s1, &s1_camera, nullptr, width, height, memory.data(),
+                           memory.size() * sizeof memory[0]);
   if (error == FC_OK) error = fc_render_rows(&frame, 0, height, &target);
   if (error != FC_OK || fc_scene_check(&s1) != FC_OK) {
     std::printf("%s\n", fc_error_text(error));
