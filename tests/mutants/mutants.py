@@ -88,7 +88,7 @@ class Copy:
 
     def object(self, file):
         """Compiled code of a core file."""
-        paths = list(self.build.glob(f"CMakeFiles/fixcast.dir/{file}.o*"))
+        paths = [path for path in self.build.glob(f"CMakeFiles/fixcast.dir/{file}.o*") if path.suffix in (".o", ".obj")]
         if len(paths) != 1:
             sys.exit(f"mutants: {file} has {len(paths)} object files in {self.build}")
         return paths[0].read_bytes()
