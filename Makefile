@@ -1,6 +1,6 @@
 # The front door for people. How things are built stands in CMakeLists.txt alone.
 .DEFAULT_GOAL := help
-.PHONY: help build single dist demo test matrix firmware emulate flash report gallery bench bench-update fuzz torture golden-check golden-update clean
+.PHONY: help build single dist demo test matrix firmware emulate flash report gallery bench bench-update fuzz torture mutants golden-check golden-update clean
 BUILD := build
 FUZZ_SECONDS := 600
 MAKEFLAGS += --no-print-directory
@@ -87,6 +87,12 @@ torture: ## a thousand million seeded hard cases against exact oracles, resumabl
 	@cmake --build $(BUILD) --parallel $(JOBS) --target torture acne
 	@$(BUILD)/tests/acne 10000000
 	@$(BUILD)/tests/torture --full --jobs 2 --state $(BUILD)/torture.state
+
+mutants: ## change the core in 48 places, one at a time, and list what no test noticed; docs/MUTANTS.md has the reasons (an hour)
+	@.ci/install test
+	@$(CONFIGURE) >/dev/null
+	@cmake --build $(BUILD) --parallel $(JOBS) --target baked_scenes >/dev/null
+	@python3 tests/mutants/mutants.py --work $(BUILD)/mutants
 
 golden-check: ## compare every scene with tests/golden; old, new and difference of what changed go to build/golden/SCENE.png
 	@.ci/install demo

@@ -106,7 +106,7 @@ struct fc_kind {
   void (*depth_range)(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far);
   /* After the grid and the depth format are chosen: fills what the scan engine needs of the table's memory. */
   void (*project)(const fc_frame *frame, const fc_shapes *shapes, void *memory);
-  /* The pixels that an item may touch, cut to the frame; false when there are none. */
+  /* The pixels that an item may touch, cut to the frame; false when there are none. NULL where `strip` needs none. */
   bool (*window)(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *window);
   /* Draws a tile of the primitive: depth, visibility, light (scan.h). */
   void (*draw)(fc_scan *scan);

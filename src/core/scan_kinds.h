@@ -60,7 +60,6 @@ int8_t fc_plane_hides(const fc_form *form, const int64_t light[3], const int32_t
 
 void fc_triangle_strip(fc_scan *scan, uint16_t rows);
 void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
-bool fc_triangle_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box);
 void fc_triangle_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form);
 bool fc_triangle_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window);

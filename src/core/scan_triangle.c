@@ -565,7 +565,7 @@ static bool beyond_doubt(const fc_frame *frame, const fc_facet *facet) {
 /* The coder at the tile's greatest p, and whether the far limit matters. */
 static void start_depth(fc_brush *brush) {
   fc_scan *scan = brush->scan;
-  brush->clip = scan->clip_far && !beyond_doubt(scan->frame, &brush->facet);
+  brush->clip = scan->clip_far && !brush->steep && !beyond_doubt(scan->frame, &brush->facet); /* a steep one is asked everywhere */
   if (!brush->steep) fc_coder_start(&brush->coder, scan->frame, brush->facet.drop, UINT32_C(1) << 30);
   brush->coder_drop = INT16_MAX;
 }
@@ -764,25 +764,4 @@ bool fc_triangle_between(const fc_frame *frame, const fc_form *form, const int64
     if (below || above) return false;
   }
   return true;
-}
-
-FC_COLD bool fc_triangle_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box) {
-  fc_form form;
-  uint8_t i, behind = 0;
-  fc_triangle_fetch(group, index, &form);
-  box->x0 = box->y0 = 0;
-  box->x1 = frame->width - 1;
-  box->y1 = frame->height - 1;
-  for (i = 0; i < 3; i++) behind = (uint8_t)(behind + (form.u.triangle.vertex[i][2] <= 0));
-  if (behind == 3) return false;
-  if (behind > 0) return true;
-  for (i = 0; i < 3; i++) {
-    const int64_t *v = form.u.triangle.vertex[i];
-    int32_t x = fc_view_project(frame, 0, v[0], v[2]), y = fc_view_project(frame, 1, v[1], v[2]);
-    if (i == 0 || x - 1 < box->x0) box->x0 = x - 1;
-    if (i == 0 || x + 1 > box->x1) box->x1 = x + 1;
-    if (i == 0 || y - 1 < box->y0) box->y0 = y - 1;
-    if (i == 0 || y + 1 > box->y1) box->y1 = y + 1;
-  }
-  return fc_window_cut(frame, box);
 }

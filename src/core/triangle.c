@@ -341,8 +341,8 @@ const fc_kind fc_kind_triangle FC_ROM = {check,
                                          weights,
                                          depth_range,
                                          fc_triangle_project,
-                                         fc_triangle_window,
-                                         NULL, /* draw: strips are drawn whole */
+                                         NULL, /* window, draw: strips are drawn whole */
+                                         NULL,
                                          fc_triangle_shadow,
                                          fc_triangle_between,
                                          NULL,

@@ -103,7 +103,7 @@ static void test_g2_fallbacks_agree_with_filters(void) {
   static const int64_t eye[3] = {0, 0, 0};
   int trial, blocked = 0, used = 0;
   for (trial = 0; trial < 6000; trial++) {
-    fc_form receiver, occluder;
+    fc_form receiver = {0}, occluder = {0};
     fc_prepared prepared;
     fc_root root[2];
     fc_segment segment;
@@ -158,7 +158,7 @@ static void test_g2_fallbacks_agree_with_filters(void) {
 static void test_g2_filters_hold_beside_edges_and_tangents(void) {
   int trial, blocked = 0;
   for (trial = 0; trial < 4000; trial++) {
-    fc_form form;
+    fc_form form = {0};
     fc_segment segment;
     const fc_kind *kind = trial & 1 ? &fc_kind_triangle : &fc_kind_sphere;
     int64_t middle[3];
@@ -215,7 +215,7 @@ static void test_g9_a_sphere_does_not_shadow_itself(void) {
   static const int64_t eye[3] = {0, 0, 0};
   int trial, facing = 0;
   for (trial = 0; trial < 3000; trial++) {
-    fc_form form;
+    fc_form form = {0};
     fc_prepared prepared;
     fc_root root[2];
     fc_segment segment;

@@ -99,10 +99,32 @@ static void test_picks_name_pixels_of_the_whole_frame(void) {
   }
 }
 
+/* Rows that start at multiples of four bytes are widened two pixels at a time; others byte by byte: the same picture. */
+static void test_half_resolution_on_any_alignment(void) {
+  enum { EVEN = WIDTH - 1 };
+  static uint32_t words[EVEN * HEIGHT / 2 + HEIGHT];
+  fc_options options;
+  fc_target t = target();
+  uint16_t y;
+  memset(&options, 0, sizeof options);
+  options.profile = FC_PROFILE_HALF;
+  TEST_ASSERT_EQUAL_INT(FC_OK, fc_frame_setup(&frame, &s1, &s1_camera, &options, EVEN, HEIGHT, memory, sizeof memory));
+  TEST_ASSERT_EQUAL_INT(FC_OK, fc_render_profile(&frame, 0, 0, HEIGHT, &t)); /* 46 bytes a row */
+  t.pixels = words;
+  t.pitch_bytes = 2 * EVEN + 4;
+  memset(words, GUARD, sizeof words);
+  TEST_ASSERT_EQUAL_INT(FC_OK, fc_render_profile(&frame, 0, 0, HEIGHT, &t));
+  for (y = 0; y < HEIGHT; y++) {
+    TEST_ASSERT_EQUAL_MEMORY(pixels + y * 2 * WIDTH, (uint8_t *)words + y * t.pitch_bytes, 2 * EVEN);
+    if (y + 1 < HEIGHT) TEST_ASSERT_EQUAL_HEX32(UINT32_C(0xc3c3c3c3), words[((y + 1u) * t.pitch_bytes) / 4 - 1]);
+  }
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_g6_bad_arguments_are_refused);
   RUN_TEST(test_g7_nothing_is_written_outside);
   RUN_TEST(test_picks_name_pixels_of_the_whole_frame);
+  RUN_TEST(test_half_resolution_on_any_alignment);
   return UNITY_END();
 }

@@ -1,4 +1,5 @@
 /* rotation.h: the same bits on every machine. What they should be, volume_rotation and volume_trackball ask long double. */
+#include "fixcast/error.h"
 #include "fixcast/rotation.h"
 
 #include "random.h"
@@ -62,8 +63,44 @@ static void test_g15_rotations_have_the_same_bits_everywhere(void) {
   TEST_ASSERT_EQUAL_HEX32(UINT32_C(0x61C4C1C8), hash);
 }
 
+/* Opposite directions: half a turn, which takes the one to the other; the way back, after the way there, is none. */
+static void test_g15_half_turns_and_ways_back(void) {
+  static const fc_vec3 ways[] = {{0, 0, 5}, {0, 0, -7}, {3, 0, 0}, {0, -2, 0}, {1, 2, 3}};
+  static const fc_vec3 nowhere = {0, 0, 0};
+  fc_rotation turn, back, both, stretched = FC_ROTATION_NONE;
+  fc_matrix m;
+  unsigned i;
+  for (i = 0; i < sizeof ways / sizeof ways[0]; i++) {
+    fc_vec3 v = ways[i], to;
+    to.x = -v.x;
+    to.y = -v.y;
+    to.z = -v.z;
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_rotation_between(&turn, &v, &to));
+    TEST_ASSERT_INT_WITHIN(1, 0, turn.w);
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_rotation_matrix(&m, &turn));
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_rotate_points(&v, &v, 1, &m, NULL));
+    TEST_ASSERT_EQUAL_INT(to.x, v.x);
+    TEST_ASSERT_EQUAL_INT(to.y, v.y);
+    TEST_ASSERT_EQUAL_INT(to.z, v.z);
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_rotation_about(&turn, &ways[i], (uint16_t)(1000 * i + 7)));
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_rotation_invert(&back, &turn));
+    TEST_ASSERT_EQUAL_INT(FC_OK, fc_rotation_compose(&both, &back, &turn));
+    TEST_ASSERT_INT_WITHIN(4, FC_ONE_Q30, both.w);
+    TEST_ASSERT_INT_WITHIN(4, 0, both.x);
+    TEST_ASSERT_INT_WITHIN(4, 0, both.y);
+    TEST_ASSERT_INT_WITHIN(4, 0, both.z);
+  }
+  stretched.x = FC_ONE_Q30 / 2;
+  TEST_ASSERT_EQUAL_INT(FC_ERR_ROTATION, fc_rotation_invert(&back, &stretched));
+  TEST_ASSERT_EQUAL_INT(FC_ERR_ROTATION, fc_rotation_matrix(&m, &stretched));
+  TEST_ASSERT_EQUAL_INT(FC_ERR_NULL, fc_rotation_invert(&back, NULL));
+  TEST_ASSERT_EQUAL_INT(FC_ERR_DIRECTION, fc_rotation_about(&turn, &nowhere, 1));
+  TEST_ASSERT_EQUAL_INT(FC_ERR_DIRECTION, fc_rotation_between(&turn, &ways[0], &nowhere));
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_g15_rotations_have_the_same_bits_everywhere);
+  RUN_TEST(test_g15_half_turns_and_ways_back);
   return UNITY_END();
 }

@@ -713,6 +713,34 @@ static void test_g2_sampled_frames_have_the_same_bits_everywhere(void) {
   }
 }
 
+/* The span of what a pinhole sees at its target's distance, here 2 * 4 * 3 / 6; what is no camera is refused. */
+static void test_orthographic_span_of_a_camera(void) {
+  const fc_camera right = {.eye = FC_VEC3(1, 2, 7), .target = FC_VEC3(1, 2, 3), .up = {0, 1, 0}, .tan_half_fov_numerator = 3,
+                           .tan_half_fov_denominator = 6};
+  fc_orthographic lens;
+  fc_camera camera = right;
+  TEST_ASSERT_EQUAL_INT(FC_OK, fc_orthographic_of_camera(&lens, &camera));
+  TEST_ASSERT_TRUE(lens.span_exponent <= 0);
+  TEST_ASSERT_EQUAL_INT32(FC_Q16(4), lens.span >> -lens.span_exponent);
+  TEST_ASSERT_EQUAL_INT32(lens.span, (lens.span >> -lens.span_exponent) * (INT32_C(1) << -lens.span_exponent));
+  TEST_ASSERT_EQUAL_INT(FC_ERR_NULL, fc_orthographic_of_camera(NULL, &camera));
+  TEST_ASSERT_EQUAL_INT(FC_ERR_NULL, fc_orthographic_of_camera(&lens, NULL));
+  camera.eye.x = FC_COORDINATE_MAX + 1;
+  TEST_ASSERT_EQUAL_INT(FC_ERR_COORDINATE, fc_orthographic_of_camera(&lens, &camera));
+  camera = right;
+  camera.target.y = -FC_COORDINATE_MAX - 1;
+  TEST_ASSERT_EQUAL_INT(FC_ERR_COORDINATE, fc_orthographic_of_camera(&lens, &camera));
+  camera = right;
+  camera.exponent = 32;
+  TEST_ASSERT_EQUAL_INT(FC_ERR_EXPONENT, fc_orthographic_of_camera(&lens, &camera));
+  camera = right;
+  camera.target = camera.eye;
+  TEST_ASSERT_EQUAL_INT(FC_ERR_CAMERA_TARGET, fc_orthographic_of_camera(&lens, &camera));
+  camera = right;
+  camera.tan_half_fov_denominator = 0;
+  TEST_ASSERT_EQUAL_INT(FC_ERR_FIELD_OF_VIEW, fc_orthographic_of_camera(&lens, &camera));
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_one_ray_a_pixel_is_the_frame_by_rays);
@@ -733,5 +761,6 @@ int main(void) {
   RUN_TEST(test_quincunx_halves_where_colours_differ_by_more_than_the_threshold);
   RUN_TEST(test_a_pixel_is_the_mean_of_single_rays_shaded_alone);
   RUN_TEST(test_g2_sampled_frames_have_the_same_bits_everywhere);
+  RUN_TEST(test_orthographic_span_of_a_camera);
   return UNITY_END();
 }

@@ -174,7 +174,7 @@ static void test_g2_filter_never_contradicts_the_exact_sum(void) {
   static const int64_t origin[3] = {0, 0, 0};
   int trial, hits = 0, undecided = 0;
   for (trial = 0; trial < 3000; trial++) {
-    fc_form form;
+    fc_form form = {0};
     fc_prepared prepared;
     fc_root root[2];
     int64_t d[3], *a = form.u.triangle.vertex[0], *b = form.u.triangle.vertex[1];

@@ -322,7 +322,7 @@ private:
   std::vector<fc_vec3> vertices_;
   std::vector<fc_light> lights_;
   std::vector<fc_shapes> tables_;
-  fc_material materials_[2];
+  fc_material materials_[2] = {};
 };
 
 std::string text_of(fc_vec3 v) { return print("{%ld, %ld, %ld}", static_cast<long>(v.x), static_cast<long>(v.y), static_cast<long>(v.z)); }

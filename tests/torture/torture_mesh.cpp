@@ -134,7 +134,7 @@ uint64_t closed_mesh(Random &random) {
   fc_prepared prepared[most_faces];
   int64_t from[3] = {origin.x, origin.y, origin.z};
   for (int i = 0; i < mesh.faces; i++) {
-    fc_form form;
+    fc_form form{};
     for (int j = 0; j < 3; j++)
       for (int k = 0; k < 3; k++) form.u.triangle.vertex[j][k] = mesh.vertex[mesh.face[i][j]][k];
     fc_kind_triangle.prepare(&form, from, &prepared[i]);

@@ -425,7 +425,7 @@ uint64_t screen_mesh(Random &random) {
       int64_t origin[3] = {0, 0, 0}, direction[3] = {d.x, d.y, d.z};
       int cover = 0;
       for (const Shape &s : frame.shapes) {
-        fc_form form;
+        fc_form form{};
         fc_prepared prepared;
         fc_root root[2];
         const Vec *v[3] = {&s.a, &s.b, &s.c};

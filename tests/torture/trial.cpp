@@ -243,7 +243,7 @@ Frame::Frame(const Scene &scene, const std::vector<fc_light> &list, const fc_cam
   fc_cursor_start(&cursor, &space);
   while (fc_cursor_next(&cursor))
     for (uint16_t i = 0; i < cursor.group.shapes.count; i++) {
-      fc_form form;
+      fc_form form{};
       fc_kind_of(&cursor)->fetch(&cursor.group, i, &form);
       auto vec = [](const int64_t v[3]) { return Vec{v[0], v[1], v[2]}; };
       switch (world.shapes[shapes.size()].kind) {
