@@ -12,6 +12,7 @@
 #include "camera_path.h"
 #include "commands.h"
 #include "error_layer.h"
+#include "filtered_frame.h"
 #include "frame_layers.h"
 #include "frame_run.h"
 #include "gif.h"
@@ -81,7 +82,11 @@ void render_into(RenderedFrame &to, const RenderOptions &options, bool quiet) {
   if (sampling.wanted && to.scene.options.profile != FC_PROFILE_EXACT)
     throw UserError("--profile " + options.profile + ": --samples, --filter and --lens trace exact rays; leave --profile out");
   to.frame = std::make_unique<CoreFrame>(to.scene.file, to.scene.core, to.scene.options, to.scene.width, to.scene.height);
-  to.pictures = render(*to.frame, sampling, options.strip_rows, quiet);
+  Sampling centres; /* what a kernel leaves of the frame: depth, objects and shadows at the pixels' centres */
+  centres.wanted = true;
+  centres.how.lens = sampling.how.lens;
+  to.pictures = render(*to.frame, sampling.kernel ? centres : sampling, options.strip_rows, quiet);
+  if (sampling.kernel) filter_frame(to.pictures, to.scene.core, to.scene.options, sampling, quiet);
   if (sampling.wanted)
     for (std::uint16_t samples : to.pictures.rgb888.samples) to.rays += samples;
   if (options.dither) to.pictures.rgb565.pixels = dithered565(to.pictures.rgb888);
