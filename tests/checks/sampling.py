@@ -102,7 +102,7 @@ def reduced(samples, weights, n, count):
 
 
 def check_kernels(simulator, report):
-    """--filter gaussian and mitchell are these sums of the pixels of a frame n times as large. The flake's field of view goes from centre to centre (NFF's rule): of the larger
+    """--filter gaussian and mitchell are these sums of the pixels of a frame n times as large. --angle goes from centre to centre (NFF's rule): of the larger
     frame's outer pixels those lie farther out."""
     kernels = {"gaussian": lambda x: math.exp(-2 * x * x),
                "mitchell": lambda x: (7 * x ** 3 - 12 * x ** 2 + 16 / 3) / 6 if x < 1 else (-7 / 3 * x ** 3 + 12 * x ** 2 - 20 * x + 32 / 3) / 6}
@@ -116,12 +116,13 @@ def check_kernels(simulator, report):
             pixels = path.read_bytes()[-3 * size[0] * size[1]:]
             return [[list(pixels[3 * size[0] * y + c:3 * size[0] * (y + 1):3]) for y in range(size[1])] for c in range(3)]
 
-        wider = 2 * math.degrees(math.atan(math.tan(math.radians(38.58009244 / 2)) * (3 * height - 1) / (3 * (height - 1))))
-        for scene, n, view in (("s1", 4, ()), ("s1", 1, ()), ("flake", 3, ("--angle", f"{wider:.12f}"))):
-            large = frame(scene, (width * n, height * n), "--samples", "one", *view)
+        wider = 2 * math.degrees(math.atan(math.tan(math.radians(20)) * (3 * height - 1) / (3 * (height - 1))))
+        for scene, n, view, large_view in (("s1", 4, (), ()), ("s1", 1, (), ()),
+                                           ("flake", 3, ("--angle", "40"), ("--angle", f"{wider:.12f}"))):
+            large = frame(scene, (width * n, height * n), "--samples", "one", *large_view)
             for name, kernel in kernels.items():
                 weights, worst, moved = kernel_weights(kernel, n), 0, 0
-                got = frame(scene, (width, height), "--samples", f"regular:{n}", "--filter", name)
+                got = frame(scene, (width, height), "--samples", f"regular:{n}", "--filter", name, *view)
                 for plane, shown in zip(large, got):
                     across = [reduced(row, weights, n, width) for row in plane]
                     for x in range(width):
