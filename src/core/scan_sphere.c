@@ -621,8 +621,8 @@ static void light_row(const fc_scan *scan, ball_light *light, uint16_t row, uint
 
 /* The same among occluders, who are asked about the points. */
 static FC_COLD void light_row_among(const fc_scan *scan, ball_light *light, uint16_t row, uint16_t column,
-                                        uint32_t bits, const uint32_t *p) {
-  uint32_t e[32], rest;
+                                        uint32_t bits, const uint32_t *p, uint32_t e[32]) {
+  uint32_t rest;
   uint8_t i;
   for (i = 0, rest = bits; rest != 0; i++, rest >>= 1) e[i] = p[i];
   light_row(scan, light, row, column, bits, p, e);
@@ -1001,48 +1001,60 @@ static void next_row(sphere_forms *ball, int64_t b_dy) {
   ball->b = fc_to_i64((uint64_t)ball->b + (uint64_t)b_dy);
 }
 
-static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
+/* What a tile of a sphere is drawn in. */
+typedef struct sphere_work {
   sphere_forms ball;
   ball_light light;
+  sphere_row at;
   fc_coder coder;
   int64_t b_dy;
+  uint32_t p[32], e[32];
+} sphere_work;
+
+typedef char work_fits[sizeof(sphere_work) <= FC_SCAN_WORK * sizeof(int64_t) ? 1 : -1];
+
+static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
+  sphere_work *work = (void *)scan->work;
+  sphere_forms *ball = &work->ball;
+  ball_light *light = &work->light;
+  sphere_row *at = &work->at;
+  uint32_t *ps = work->p;
   uint16_t row;
   uint8_t how = LIGHT_UNKNOWN;
-  set_ball(scan, placed, &ball, &b_dy);
-  set_last(&ball, (uint64_t)scan->columns - 1);
-  ball.clip = placed->seen == FC_SPHERE_CUT;
-  fc_coder_start(&coder, scan->frame, ball.drop, UINT32_C(1) << 29);
-  for (row = 0; row <= scan->last_row; row++, next_row(&ball, b_dy)) {
-    sphere_row at;
+  set_ball(scan, placed, ball, &work->b_dy);
+  set_last(ball, (uint64_t)scan->columns - 1);
+  ball->clip = placed->seen == FC_SPHERE_CUT;
+  fc_coder_start(&work->coder, scan->frame, ball->drop, UINT32_C(1) << 29);
+  for (row = 0; row <= scan->last_row; row++, next_row(ball, work->b_dy)) {
     uint16_t column;
     if (row < scan->first_row || fc_scan_skips(scan, row)) continue;
-    set_row(scan, &ball, &at);
-    if (at.first != at.from) draw_open(scan, row, at.first, at.from);
-    if (at.to != at.end) draw_open(scan, row, at.to, at.end);
-    for (column = at.from; column < at.to; column = (uint16_t)(column + 32)) {
-      uint32_t ps[32], bits, open, undecided, rough = 0;
-      uint8_t count = at.to - column < 32 ? (uint8_t)(at.to - column) : 32;
-      root_run(&ball, &at, ps, count);
-      open = ball.clip ? clip_run(scan, &ball, row, column, ps, ps, ps + count) : 0;
-      bits = test_run(scan, row, column, ps, ps + count, ball.error, &coder, &undecided);
+    set_row(scan, ball, at);
+    if (at->first != at->from) draw_open(scan, row, at->first, at->from);
+    if (at->to != at->end) draw_open(scan, row, at->to, at->end);
+    for (column = at->from; column < at->to; column = (uint16_t)(column + 32)) {
+      uint32_t bits, open, undecided, rough = 0;
+      uint8_t count = at->to - column < 32 ? (uint8_t)(at->to - column) : 32;
+      root_run(ball, at, ps, count);
+      open = ball->clip ? clip_run(scan, ball, row, column, ps, ps, ps + count) : 0;
+      bits = test_run(scan, row, column, ps, ps + count, ball->error, &work->coder, &undecided);
       open |= undecided;
       if (open != 0) {
-        bits |= settle(scan, &ball, &coder, row, column, open, ps, &rough);
+        bits |= settle(scan, ball, &work->coder, row, column, open, ps, &rough);
         bits &= ~rough;
       }
       if ((bits | rough) == 0 || !fc_scan_wants_light(scan, row, column, bits | rough)) continue;
       if (rough != 0) fc_scan_shade_slowly(scan, row, column, rough);
       if (bits == 0) continue;
       if (how == LIGHT_UNKNOWN) {
-        how = set_light(scan, &light, ball.drop, ball.error);
-        light.occluders = UNSOUGHT;
+        how = set_light(scan, light, ball->drop, ball->error);
+        light->occluders = UNSOUGHT;
       }
       if (how == LIGHT_SLOW)
         fc_scan_shade_slowly(scan, row, column, bits);
-      else if (light.occluders != 0)
-        light_row_among(scan, &light, row, column, bits, ps);
+      else if (light->occluders != 0)
+        light_row_among(scan, light, row, column, bits, ps, work->e);
       else
-        light_row(scan, &light, row, column, bits, ps, ps);
+        light_row(scan, light, row, column, bits, ps, ps);
     }
   }
 }
@@ -1406,14 +1418,23 @@ static FC_NOINLINE void darken_row(fc_scan *scan, const shadow_test *test, uint1
   }
 }
 
+/* What a shadow is found in. */
+typedef struct shadow_work {
+  fc_cone cone;
+  shadow_test test;
+} shadow_work;
+
+typedef char shadow_fits[sizeof(shadow_work) <= FC_SHADOW_WORK * sizeof(int64_t) ? 1 : -1];
+
 void fc_sphere_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   const int64_t *c = form->u.sphere.center;
   int64_t center[3], radius = form->u.sphere.radius;
-  fc_cone cone;
+  shadow_work *work = (void *)receiver->work;
+  fc_cone *cone = &work->cone;
+  shadow_test *test = &work->test;
   uint16_t row;
   uint8_t i;
   bool known = false;
-  shadow_test clear;
   for (i = 0; i < 3; i++) center[i] = c[i] - scan->frame->lights[i]; /* below 2^31 */
   /* squares below 2^62, three of them below 2^64 */
   if (square_of(center) <= (uint64_t)(radius * radius)) {
@@ -1421,21 +1442,21 @@ void fc_sphere_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, c
     return;
   }
   if (beyond_edges(receiver, center, radius)) return;
-  clear.everywhere = set_ahead(scan, receiver, center, &clear.ahead);
-  if (clear.everywhere < 0) return;
-  fc_cone_setup(&cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
-  clear.dark = cone.error;
-  clear.lit = -cone.error;
-  clear.receiver = receiver;
-  clear.kind = kind;
-  clear.form = form;
-  for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(&cone)) {
-    if (row < scan->first_row || row_is_clear(&cone, clear.lit)) continue;
+  test->everywhere = set_ahead(scan, receiver, center, &test->ahead);
+  if (test->everywhere < 0) return;
+  fc_cone_setup(cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
+  test->dark = cone->error;
+  test->lit = -cone->error;
+  test->receiver = receiver;
+  test->kind = kind;
+  test->form = form;
+  for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(cone)) {
+    if (row < scan->first_row || row_is_clear(cone, test->lit)) continue;
     if (!known) {
-      if (!fc_planar_faces_ball(scan, receiver, c, radius, &clear.doubt)) return;
+      if (!fc_planar_faces_ball(scan, receiver, c, radius, &test->doubt)) return;
       known = true;
     }
-    clear.doubted = scan->y + row >= clear.doubt.y0 && scan->y + row <= clear.doubt.y1;
-    darken_row(scan, &clear, row, (uint64_t)cone.f, (uint64_t)cone.dx, (uint64_t)cone.dxx);
+    test->doubted = scan->y + row >= test->doubt.y0 && scan->y + row <= test->doubt.y1;
+    darken_row(scan, test, row, (uint64_t)cone->f, (uint64_t)cone->dx, (uint64_t)cone->dxx);
   }
 }
