@@ -156,6 +156,9 @@ FC_COLD void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *oc
     }
 }
 
+/* Rows whose ends are taken at a time where the rectangle will not do. */
+#define HULL_ROWS 4
+
 /* What a tile of a planar receiver is lit in. */
 typedef struct planar_work {
   fc_planar planar;
@@ -163,7 +166,7 @@ typedef struct planar_work {
   fc_form occluder;
   fc_reach reach;
   fc_space space;
-  int64_t hull[6 * FC_SCAN_ROWS];
+  int64_t hull[6 * HULL_ROWS];
 } planar_work;
 
 typedef char work_fits[sizeof(planar_work) <= FC_SCAN_WORK * sizeof(int64_t) ? 1 : -1];
@@ -221,19 +224,27 @@ static FC_COLD bool find_rectangle(const fc_scan *scan, fc_planar *planar) {
   return any;
 }
 
-/* Corners around the points of the plane that a tile's mask shows: those of the mask's rectangle; where they lie beyond the
- * horizon, the ends of its rows. Lines of pixels are lines on the plane, so hulls are hulls. Returns their number, 0 where
- * they are too far away. */
-static FC_COLD uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, int64_t points[6 * FC_SCAN_ROWS]) {
-  uint16_t row, ends[2];
-  uint8_t count = 0, i;
+/* The corners of a tile's rectangle on the plane; false where one lies beyond the horizon, or too far away. Lines of pixels are
+ * lines on the plane, so hulls are hulls. */
+static FC_COLD bool find_corners(const fc_scan *scan, const fc_planar *planar, int64_t points[12]) {
+  uint8_t i;
   for (i = 0; i < 4; i++)
-    if (!foot(scan, planar, i & 1 ? planar->top : planar->bottom, i & 2 ? planar->left : planar->right, points + 3 * i)) break;
-  if (i == 4) return 4;
-  for (row = planar->top; row <= planar->bottom; row++) {
+    if (!foot(scan, planar, i & 1 ? planar->top : planar->bottom, i & 2 ? planar->left : planar->right, points + 3 * i)) return false;
+  return true;
+}
+
+/* Corners around what some rows of the mask show: their ends. Their number; 0 where there are none, or where they are too far away: then
+ * *far is set. */
+static FC_COLD uint8_t find_ends(const fc_scan *scan, const fc_planar *planar, uint16_t row, int64_t points[6 * HULL_ROWS], bool *far) {
+  uint16_t end = (uint16_t)(row + HULL_ROWS), ends[2];
+  uint8_t count = 0, i;
+  for (; row < end && row <= planar->bottom; row++) {
     if (!row_ends(scan, row, ends)) continue;
     for (i = 0; i < 2; i++, count++)
-      if (!foot(scan, planar, row, ends[i], points + 3 * count)) return 0;
+      if (!foot(scan, planar, row, ends[i], points + 3 * count)) {
+        *far = true;
+        return 0;
+      }
   }
   return count;
 }
@@ -250,8 +261,19 @@ static FC_COLD void cast_from(fc_scan *scan, planar_work *work, const int64_t *h
   (void)fc_space_search(&work->space, corners > 0 ? &work->reach : NULL, cast_one, scan);
 }
 
+/* From all that the tile shows: the rectangle, or rows, a few at a time. */
 static FC_COLD void cast_from_tile(fc_scan *scan, planar_work *work) {
-  cast_from(scan, work, work->hull, find_hull(scan, &work->planar, work->hull), 1); /* corners are rounded */
+  const fc_planar *planar = &work->planar;
+  uint16_t row;
+  bool far = false;
+  if (find_corners(scan, planar, work->hull)) {
+    cast_from(scan, work, work->hull, 4, 1); /* corners are rounded */
+    return;
+  }
+  for (row = planar->top; row <= planar->bottom && !far; row = (uint16_t)(row + HULL_ROWS)) {
+    const uint8_t corners = find_ends(scan, planar, row, work->hull, &far);
+    if (corners > 0 || far) cast_from(scan, work, work->hull, corners, 1); /* 0: everybody is asked */
+  }
 }
 
 /*

@@ -56,7 +56,8 @@ static FC_COLD bool nearer(void *context, const fc_cursor *at, uint16_t index) {
   if (count == 0) return false;
   if (test->bounded && !first_within(&first, count, test->t_min_q32, test->t_max_q32)) return false;
   if (test->found != NO_PRIMITIVE) {
-    int8_t order = fc_root_compare(&first, &test->best);
+    fc_segment *room = at->space->room;
+    int8_t order = room != NULL ? fc_root_compare_in(&room->wide, &first, &test->best) : fc_root_compare(&first, &test->best);
     if (order > 0 || (order == 0 && primitive > test->found)) return false;
   }
   test->best = first;

@@ -102,7 +102,7 @@ FC_COLD int8_t fc_root_sign(const fc_root *root, fc_quick t, fc_wide *w, fc_deci
   return (int8_t)(x * w->sign[4]);
 }
 
-FC_COLD int8_t fc_root_compare(const fc_root *a, const fc_root *b) {
+FC_COLD int8_t fc_root_compare_in(fc_wide *w, const fc_root *a, const fc_root *b) {
   /* b's own polynomial c - 2 p t + m t^2 at a's t, and half its derivative, which tells on which side of its apex a is:
    * 0 c, 1 p, 2 m, 3 one */
   static const uint8_t polynomial[] FC_ROM = {FC_SUM(1, 0), FC_TIMES(0, 3), FC_SUM(0, 2), FC_TIMES(1, 3), FC_TIMES(1, 3),
@@ -112,19 +112,23 @@ FC_COLD int8_t fc_root_compare(const fc_root *a, const fc_root *b) {
   int8_t sign = b->q;
   uint8_t i;
   for (i = 0; i < 2; i++) {
-    fc_wide w;
     int8_t s;
-    fc_wide_start(&w);
-    fc_wide_push(&w, &b->c);
-    fc_wide_push(&w, &b->p);
-    fc_wide_push(&w, &b->m);
-    fc_wide_push64(&w, 1);
-    fc_wide_run(&w, i == 0 ? derivative : polynomial);
-    s = fc_root_sign(a, t, &w, FC_DECIDE_NEARER);
+    fc_wide_start(w);
+    fc_wide_push(w, &b->c);
+    fc_wide_push(w, &b->p);
+    fc_wide_push(w, &b->m);
+    fc_wide_push64(w, 1);
+    fc_wide_run(w, i == 0 ? derivative : polynomial);
+    s = fc_root_sign(a, t, w, FC_DECIDE_NEARER);
     if (i != 0) return (int8_t)(sign * s);
     if (sign == 0 || s == -sign) return s;
   }
   return 0;
+}
+
+FC_COLD int8_t fc_root_compare(const fc_root *a, const fc_root *b) {
+  fc_wide w;
+  return fc_root_compare_in(&w, a, b);
 }
 
 FC_COLD int8_t fc_root_compare_q32(const fc_root *root, uint64_t t_q32) {

@@ -32,7 +32,8 @@ fc_quick fc_root_quick(const fc_root *root);
  * do without the filter. */
 int8_t fc_root_sign(const fc_root *root, fc_quick t, fc_wide *w, fc_decision decision);
 
-/* Sign of a - b, exact. */
+/* Sign of a - b, exact; worked out in *w. */
+int8_t fc_root_compare_in(fc_wide *w, const fc_root *a, const fc_root *b);
 int8_t fc_root_compare(const fc_root *a, const fc_root *b);
 
 /* Sign of t - t_q32 / 2^32, exact. */

@@ -61,7 +61,7 @@ static FC_COLD void surface_at(const fc_scan *scan, uint16_t row, uint16_t colum
 }
 
 FC_COLD bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column) {
-  fc_surface *surface = &scan->asked->u.surface;
+  fc_surface *surface = &scan->asked->surface;
   int64_t d[3];
   FC_TALLY(FC_DECIDE_LIT, true);
   surface_at(scan, row, column, d, surface);
@@ -69,8 +69,8 @@ FC_COLD bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column)
 }
 
 FC_COLD bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const fc_kind *kind, const fc_form *occluder) {
-  fc_segment *segment = &scan->asked->u.shadow.segment;
-  fc_root *root = &scan->asked->u.shadow.root;
+  fc_segment *segment = &scan->asked->segment;
+  fc_root *root = &scan->asked->surface.root;
   int64_t d[3];
   FC_TALLY(FC_DECIDE_LIT, true);
   (void)meet(scan, row, column, d, root);
@@ -368,7 +368,7 @@ void fc_scan_lit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bi
 
 FC_COLD void fc_scan_shade_slowly(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
   size_t at = (size_t)(scan->y - scan->strip + row) * scan->frame->width + scan->x + column;
-  fc_surface *surface = &scan->asked->u.surface;
+  fc_surface *surface = &scan->asked->surface;
   for (; bits != 0; bits >>= 1, column++, at++) {
     int64_t d[3];
     uint64_t radiance_q39[3];
@@ -640,6 +640,7 @@ FC_COLD void fc_strip_draw(fc_scan *scan, const fc_frame *frame, uint16_t y, uin
   fc_pixel_most(scan->drawn.format, scan->tint.most);
   scan->tint.format = scan->drawn.format;
   scan->space = fc_space_of_frame(frame);
+  scan->space.room = &scan->room.segment;
   fc_cursor_start(cursor, &scan->space);
   while (fc_cursor_next(cursor)) fc_kind_of(cursor)->strip(scan, rows);
 }

@@ -41,18 +41,12 @@ typedef struct fc_tint {
 
 /* What exact answers are found in; one at a time. */
 typedef struct fc_asked {
-  fc_space space;
-  union {
-    fc_surface surface;
-    struct {
-      fc_segment segment;
-      fc_root root;
-    } shadow;
-  } u;
+  fc_surface surface;
+  fc_segment segment;
 } fc_asked;
 
 /* Words that a kind draws in, and those of an occluder's shadow among them (planar.h). */
-#define FC_SCAN_WORK (sizeof(void *) > 4 ? 240 : 200)
+#define FC_SCAN_WORK (sizeof(void *) > 4 ? 124 : 114)
 #define FC_SHADOW_WORK 40
 
 /* A primitive being drawn into a rectangle of the frame, of which the strip holds some rows. Where tiles lie depends on the

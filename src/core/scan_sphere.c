@@ -209,7 +209,6 @@ static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
 }
 
 static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
-  fc_space space = fc_space_of_frame(scan->frame);
   fc_reach reach;
   occluder_list list;
   uint64_t most = 0;
@@ -228,7 +227,7 @@ static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
   reach.corners = 1;
   reach.radius = scan->form->u.sphere.radius;
   reach.limited = false;
-  (void)fc_space_search(&space, &reach, add_occluder, &list);
+  (void)fc_space_search(&scan->space, &reach, add_occluder, &list);
 }
 
 /* 1 + h^2 - 2 s h in Q30 from s - h = e: Q16 * Q15, at least (1 - h)^2 > 2^-8. */
@@ -406,7 +405,6 @@ static bool hides_pixel(void *context, const fc_cursor *at, uint16_t index) {
 }
 
 static FC_COLD bool occluded_by_any(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
-  fc_space space = fc_space_of_frame(scan->frame);
   pixel_question question;
   fc_reach reach;
   int64_t to[3];
@@ -421,12 +419,11 @@ static FC_COLD bool occluded_by_any(const fc_scan *scan, const ball_light *light
   reach.corners = 1;
   reach.radius = question.error;
   reach.limited = false;
-  return fc_space_search(&space, &reach, hides_pixel, &question);
+  return fc_space_search(&scan->space, &reach, hides_pixel, &question);
 }
 
 /* Whether an occluder in the list keeps the light away from the pixel with this p. */
 static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
-  fc_space space = fc_space_of_frame(scan->frame);
   fc_cursor cursor;
   int32_t point[3];
   int16_t way[3]; /* from the light to the point */
@@ -457,7 +454,7 @@ static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint1
           scan->y + row > window->y1)
         continue;
     }
-    if (!fc_cursor_find(&cursor, &space, light->occluder[i].primitive, &index)) continue;
+    if (!fc_cursor_find(&cursor, &scan->space, light->occluder[i].primitive, &index)) continue;
     kind = fc_kind_of(&cursor);
     kind->fetch(&cursor.group, index, &form);
     if (kind->hides != NULL) hides = kind->hides(&form, scan->frame->lights, point, error);

@@ -175,7 +175,7 @@ FC_COLD bool fc_space_search(const fc_space *space, fc_reach *reach, fc_visit *v
 
 /* What is being tested for lying on a segment. */
 typedef struct block_test {
-  const fc_segment *segment;
+  fc_segment *segment;
   uint16_t skip;
 } block_test;
 
@@ -187,7 +187,7 @@ static bool blocks(void *context, const fc_cursor *at, uint16_t index) {
   return fc_kind_of(at)->blocked(&form, test->segment);
 }
 
-FC_COLD bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t skip) {
+FC_COLD bool fc_space_blocked(const fc_space *space, fc_segment *segment, uint16_t skip) {
   block_test test;
   fc_reach reach;
   test.segment = segment;

@@ -14,6 +14,7 @@ typedef struct fc_space {
   const void *memory;    /* camera-space copies of all tables in order; NULL: world coordinates */
   const fc_view *view;   /* with memory: what brought them there */
   const uint8_t *entered; /* bit n % 8 of byte n / 8: whether a search enters node n of the hierarchy; NULL: all are */
+  fc_segment *room;       /* where exact answers are worked out, one at a time; NULL: on the stack */
 } fc_space;
 
 /* A scene in world coordinates. */
@@ -23,6 +24,7 @@ static inline fc_space fc_space_of_world(const fc_scene *scene) {
   space.memory = NULL;
   space.view = NULL;
   space.entered = NULL;
+  space.room = NULL;
   return space;
 }
 
@@ -33,6 +35,7 @@ static inline fc_space fc_space_of_frame(const fc_frame *frame) {
   space.memory = frame->memory;
   space.view = &frame->view;
   space.entered = NULL;
+  space.room = NULL;
   return space;
 }
 
@@ -65,7 +68,7 @@ bool fc_cursor_find(fc_cursor *cursor, const fc_space *space, uint16_t primitive
 int fc_scene_check_tables(const fc_scene *scene);
 
 /* Whether the open segment meets any primitive but `skip` (0xffff: none is skipped). */
-bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t skip);
+bool fc_space_blocked(const fc_space *space, fc_segment *segment, uint16_t skip);
 
 /* Meets a form with a ray: fc_kind.test, on an origin of its own. */
 uint8_t fc_form_meet(const fc_kind *kind, const fc_form *form, const int64_t origin[3], const int64_t direction[3], fc_root *root);
