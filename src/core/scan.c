@@ -15,7 +15,7 @@
 /* Meets the primitive with the pixel's ray. */
 static FC_COLD bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_root *root) {
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
-  return fc_form_meet(fc_kind_of(scan->at), scan->form, fc_eye, d, root) != 0;
+  return fc_form_meet_in(&scan->asked->room.prepared, fc_kind_of(scan->at), scan->form, fc_eye, d, root) != 0;
 }
 
 /* Whether the primitive is there, with its depth code: the root is not on the stack afterwards. */
@@ -69,7 +69,7 @@ FC_COLD bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column)
 }
 
 FC_COLD bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const fc_kind *kind, const fc_form *occluder) {
-  fc_segment *segment = &scan->asked->segment;
+  fc_segment *segment = &scan->asked->room.segment;
   fc_root *root = &scan->asked->surface.root;
   int64_t d[3];
   FC_TALLY(FC_DECIDE_LIT, true);
@@ -632,7 +632,7 @@ FC_COLD void fc_strip_draw(fc_scan *scan, const fc_frame *frame, uint16_t y, uin
   if (target->format == FC_RGB565_LE) scan->drawn.format = FC_RGB565_BE;
   scan->target = &scan->drawn;
   scan->at = cursor;
-  scan->asked = &scan->room;
+  scan->asked = &scan->answer;
   scan->strip = y;
   scan->skip = skip;
   scan->pixel_bytes = target->format == FC_RGB888 ? 3 : 2;
@@ -640,7 +640,7 @@ FC_COLD void fc_strip_draw(fc_scan *scan, const fc_frame *frame, uint16_t y, uin
   fc_pixel_most(scan->drawn.format, scan->tint.most);
   scan->tint.format = scan->drawn.format;
   scan->space = fc_space_of_frame(frame);
-  scan->space.room = &scan->room.segment;
+  scan->space.room = &scan->answer.room;
   fc_cursor_start(cursor, &scan->space);
   while (fc_cursor_next(cursor)) fc_kind_of(cursor)->strip(scan, rows);
 }

@@ -42,7 +42,7 @@ typedef struct fc_tint {
 /* What exact answers are found in; one at a time. */
 typedef struct fc_asked {
   fc_surface surface;
-  fc_segment segment;
+  fc_room room;
 } fc_asked;
 
 /* Words that a kind draws in, and those of an occluder's shadow among them (planar.h). */
@@ -75,7 +75,7 @@ struct fc_scan {
   fc_cursor cursor;
   fc_form item;
   fc_window box;
-  fc_asked room;
+  fc_asked answer;
   int64_t work[FC_SCAN_WORK]; /* of the kind that draws: where its forms and rows of pixels lie */
 };
 

@@ -178,19 +178,19 @@ static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
   const occluder_list *list = context;
   const fc_scan *scan = list->scan;
   ball_light *light = list->light;
-  fc_form form;
+  fc_form *form = &scan->asked->surface.form;
   fc_window box;
   int16_t center[3], radius = 0;
   uint8_t i;
   uint16_t primitive = (uint16_t)(at->group.first + index);
   if (primitive == scan->primitive) return false;
-  fc_kind_of(at)->fetch(&at->group, index, &form);
-  if (fc_kind_of(at)->hides == fc_sphere_hides) radius = shorten(&form, scan->frame->lights, light->unit, center);
+  fc_kind_of(at)->fetch(&at->group, index, form);
+  if (fc_kind_of(at)->hides == fc_sphere_hides) radius = shorten(form, scan->frame->lights, light->unit, center);
   if (radius != 0) {
     if (!short_between(short_square(center), short_dot(center, list->way), list->length, (uint32_t)radius + 4,
                        ((uint32_t)scan->form->u.sphere.radius >> light->unit) + 4))
       return false;
-  } else if (!fc_kind_of(at)->between(scan->frame, &form, scan->frame->lights, scan->form->u.sphere.center,
+  } else if (!fc_kind_of(at)->between(scan->frame, form, scan->frame->lights, scan->form->u.sphere.center,
                                       scan->form->u.sphere.radius, &box)) {
     return false;
   }
@@ -396,12 +396,12 @@ typedef struct pixel_question {
 static bool hides_pixel(void *context, const fc_cursor *at, uint16_t index) {
   const pixel_question *q = context;
   const fc_kind *kind = fc_kind_of(at);
-  fc_form form;
+  fc_form *form = &q->scan->asked->surface.form;
   int8_t hides = -1;
   if ((uint16_t)(at->group.first + index) == q->scan->primitive) return false;
-  kind->fetch(&at->group, index, &form);
-  if (kind->hides != NULL) hides = kind->hides(&form, q->scan->frame->lights, q->point, q->error);
-  return hides > 0 || (hides < 0 && fc_scan_blocked(q->scan, q->row, q->column, kind, &form));
+  kind->fetch(&at->group, index, form);
+  if (kind->hides != NULL) hides = kind->hides(form, q->scan->frame->lights, q->point, q->error);
+  return hides > 0 || (hides < 0 && fc_scan_blocked(q->scan, q->row, q->column, kind, form));
 }
 
 static FC_COLD bool occluded_by_any(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
@@ -424,7 +424,8 @@ static FC_COLD bool occluded_by_any(const fc_scan *scan, const ball_light *light
 
 /* Whether an occluder in the list keeps the light away from the pixel with this p. */
 static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
-  fc_cursor cursor;
+  fc_cursor *cursor = &scan->asked->surface.at;
+  fc_form *form = &scan->asked->surface.form;
   int32_t point[3];
   int16_t way[3]; /* from the light to the point */
   uint32_t error, length;
@@ -440,7 +441,6 @@ static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint1
   }
   length = short_square(way);
   for (i = 0; i < light->occluders; i++) {
-    fc_form form;
     const fc_kind *kind;
     int8_t hides = -1;
     if (fits && light->occluder[i].radius != 0) {
@@ -454,11 +454,11 @@ static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint1
           scan->y + row > window->y1)
         continue;
     }
-    if (!fc_cursor_find(&cursor, &scan->space, light->occluder[i].primitive, &index)) continue;
-    kind = fc_kind_of(&cursor);
-    kind->fetch(&cursor.group, index, &form);
-    if (kind->hides != NULL) hides = kind->hides(&form, scan->frame->lights, point, error);
-    if (hides > 0 || (hides < 0 && fc_scan_blocked(scan, row, column, kind, &form))) return true;
+    if (!fc_cursor_find(cursor, &scan->space, light->occluder[i].primitive, &index)) continue;
+    kind = fc_kind_of(cursor);
+    kind->fetch(&cursor->group, index, form);
+    if (kind->hides != NULL) hides = kind->hides(form, scan->frame->lights, point, error);
+    if (hides > 0 || (hides < 0 && fc_scan_blocked(scan, row, column, kind, form))) return true;
   }
   return false;
 }

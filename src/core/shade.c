@@ -121,7 +121,7 @@ static FC_COLD bool light_reaches_here(const fc_frame *frame, const fc_space *sp
 }
 
 FC_COLD bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const int64_t position[3]) {
-  return space->room != NULL ? light_reaches(frame, space, space->room, surface, position)
+  return space->room != NULL ? light_reaches(frame, space, &space->room->segment, surface, position)
                              : light_reaches_here(frame, space, surface, position);
 }
 

@@ -200,11 +200,16 @@ FC_COLD bool fc_space_blocked(const fc_space *space, fc_segment *segment, uint16
   return fc_space_search(space, segment->point_error != UINT32_MAX ? &reach : NULL, blocks, &test);
 }
 
+FC_COLD uint8_t fc_form_meet_in(fc_prepared *prepared, const fc_kind *kind, const fc_form *form, const int64_t origin[3],
+                                const int64_t direction[3], fc_root *root) {
+  kind->prepare(form, origin, prepared);
+  return kind->test(prepared, direction, root);
+}
+
 FC_COLD uint8_t fc_form_meet(const fc_kind *kind, const fc_form *form, const int64_t origin[3], const int64_t direction[3],
                              fc_root *root) {
   fc_prepared prepared;
-  kind->prepare(form, origin, &prepared);
-  return kind->test(&prepared, direction, root);
+  return fc_form_meet_in(&prepared, kind, form, origin, direction, root);
 }
 
 FC_COLD bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primitive, const int64_t origin[3],
