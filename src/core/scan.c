@@ -18,11 +18,12 @@ static FC_COLD bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int
   return fc_form_meet_in(&scan->asked->room.prepared, fc_kind_of(scan->at), scan->form, fc_eye, d, root) != 0;
 }
 
-/* Whether the primitive is there, with its depth code: the root is not on the stack afterwards. */
+/* Whether the primitive is there, with its depth code. */
 static FC_COLD bool code_at(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], uint16_t *code) {
-  fc_root root;
-  if (!meet(scan, row, column, d, &root) || fc_too_far(scan->frame, &root, d)) return false;
-  *code = fc_depth_code(scan->frame, &root);
+  fc_root *root = &scan->asked->surface.root;
+  fc_wide *w = &scan->asked->room.segment.wide;
+  if (!meet(scan, row, column, d, root) || fc_too_far_in(w, scan->frame, root, d)) return false;
+  *code = fc_depth_code_in(w, scan->frame, root);
   return true;
 }
 

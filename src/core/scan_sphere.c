@@ -1152,7 +1152,8 @@ static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], co
                      error >> shift);
 }
 
-FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+/* The same in 29 bits. */
+static FC_COLD int8_t hides_closely(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
   /* Light outside. With w = P - L, c = C - L and q = |c|^2 - r^2 > 0 the line meets the sphere iff (w.c)^2 >= w.w q and w.c > 0,
    * and it does so before P iff its foot does, w.c < w.w, or P is inside, w.w - 2 w.c + q < 0. Vectors are cut to 29 bits
    * and sums of three products by 2^30 more, to 30. */
@@ -1160,8 +1161,6 @@ FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], cons
   uint64_t most = (uint64_t)form->u.sphere.radius;
   uint8_t i, shift, bits;
   int64_t e, r;
-  int8_t at_once = glance(form, light, point, error);
-  if (at_once >= 0) return at_once;
   for (i = 0; i < 3; i++) {
     c[i] = form->u.sphere.center[i] - light[i];
     w[i] = point[i] - light[i];
@@ -1203,6 +1202,11 @@ FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], cons
   difference = ww - 2 * a + q;
   slack = e_w + 2 * e_a + e_q;
   return difference > slack ? 0 : difference < -slack ? 1 : -1;
+}
+
+FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+  const int8_t at_once = glance(form, light, point, error);
+  return at_once >= 0 ? at_once : hides_closely(form, light, point, error);
 }
 
 /* W.(C - L) over a tile, in units of 2^32: positive where the sphere lies ahead of the light, seen along W. */
