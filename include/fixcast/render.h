@@ -87,7 +87,7 @@ int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *came
 int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
 
 /* What a strip is drawn in, one a core that draws at the same time; nothing has to be kept there between calls. */
-#define FC_SCRATCH_WORDS (sizeof(void *) > 4 ? 340 : 304)
+#define FC_SCRATCH_WORDS (sizeof(void *) > 4 ? 352 : 316)
 typedef struct fc_scratch {
   int64_t words[FC_SCRATCH_WORDS];
 } fc_scratch;

@@ -43,9 +43,9 @@ typedef struct nearest_test {
 } nearest_test;
 
 static FC_COLD uint8_t meet(const fc_cursor *at, uint16_t index, const nearest_test *test, fc_root *root) {
-  fc_form form;
-  fc_kind_of(at)->fetch(&at->group, index, &form);
-  return fc_form_meet_in(&test->room->prepared, fc_kind_of(at), &form, test->origin, test->direction, root);
+  fc_form *form = &test->room->form;
+  fc_kind_of(at)->fetch(&at->group, index, form);
+  return fc_form_meet_in(&test->room->prepared, fc_kind_of(at), form, test->origin, test->direction, root);
 }
 
 static FC_COLD bool nearer(void *context, const fc_cursor *at, uint16_t index) {

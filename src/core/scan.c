@@ -191,6 +191,16 @@ typedef struct affine_form {
   uint32_t at, step, open;
 } affine_form;
 
+/* A level row has one depth, so one question will do. */
+static FC_COLD void ask_level(const fc_scan *scan, uint16_t row, uint16_t column, affine_form *form) {
+  int64_t d[3];
+  uint16_t code;
+  FC_TALLY(FC_DECIDE_PIXEL, true);
+  if (!code_at(scan, row, column, d, &code)) return;
+  form->at = ((uint32_t)code << 16) + 0x8000u;
+  form->open = 0;
+}
+
 static void set_codes(affine_form *form, uint64_t at, int64_t step, uint16_t count, uint32_t error, const fc_coder *coder) {
   /* p / 2^shift in 2^-16; p has 32 fraction bits, of which shift + 16 are dropped */
   const uint8_t drop = (uint8_t)(16 + coder->shift);
@@ -292,14 +302,10 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
     bool known = kind_of(frame, fc_high_word(fc_to_i64(at)), hidden, sure, coder, &kind);
     if (count > 511) count = 511;
     if (!known) {
-      uint16_t i;
-      if (count > 7) count = 7;
-      for (i = 0; i <= count; i++, at += (uint64_t)step) {
-        uint16_t x = (uint16_t)(column + i);
-        if (affine_pixel(scan, row, x, fc_high_word(fc_to_i64(at)), gain, error, scan->clip_far, coder))
-          scan->mask[row * scan->words + x / 32] |= UINT32_C(1) << (x % 32);
-      }
-      column = (uint16_t)(column + count + 1);
+      if (affine_pixel(scan, row, column, fc_high_word(fc_to_i64(at)), gain, error, scan->clip_far, coder))
+        scan->mask[row * scan->words + column / 32] |= UINT32_C(1) << (column % 32);
+      column++;
+      at += (uint64_t)step;
       continue;
     }
     next = at + fc_times((uint64_t)step, count);
@@ -315,16 +321,7 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
     if (!kind.hidden) {
       affine_form form;
       set_codes(&form, at, step, count, error, coder);
-      if (step == 0 && (form.at & 0xffffu) <= form.open) {
-        /* a level row has one depth, so one question will do */
-        int64_t d[3];
-        uint16_t code;
-        FC_TALLY(FC_DECIDE_PIXEL, true);
-        if (code_at(scan, row, column, d, &code)) {
-          form.at = ((uint32_t)code << 16) + 0x8000u;
-          form.open = 0;
-        }
-      }
+      if (step == 0 && (form.at & 0xffffu) <= form.open) ask_level(scan, row, column, &form);
       affine_plain(scan, row, column, count, &form);
     }
     at = next + (uint64_t)step;

@@ -46,8 +46,8 @@ typedef struct fc_asked {
 } fc_asked;
 
 /* Words that a kind draws in, and those of an occluder's shadow among them (planar.h). */
-#define FC_SCAN_WORK (sizeof(void *) > 4 ? 124 : 114)
-#define FC_SHADOW_WORK 40
+#define FC_SCAN_WORK (sizeof(void *) > 4 ? 126 : 118)
+#define FC_SHADOW_WORK 44
 
 /* A primitive being drawn into a rectangle of the frame, of which the strip holds some rows. Where tiles lie depends on the
  * primitive alone, so that forms, which are rounded at a tile's origin, are the same for every strip height. */

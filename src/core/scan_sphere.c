@@ -1237,6 +1237,7 @@ static FC_COLD int8_t set_ahead(const fc_scan *scan, const fc_planar *receiver, 
 /* What decides a pixel that the shadow may touch. */
 typedef struct shadow_test {
   int64_t dark, lit; /* f above: in the dark; below: in the light */
+  int64_t bulge;     /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 of this */
   int8_t everywhere; /* the sphere lies ahead of the light everywhere; otherwise by: */
   bool doubted;      /* the row has pixels in `doubt` */
   ahead_form ahead;
@@ -1246,11 +1247,17 @@ typedef struct shadow_test {
   const fc_form *form;
 } shadow_test;
 
-/* Up to 8 pixels: those in the dark. */
+/* f along a row, at some column. */
+typedef struct shadow_run {
+  uint64_t f, dx, dxx;
+} shadow_run;
+
+/* Up to 8 pixels: those in the dark; adds to *asked those that the form leaves open. */
 static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column,
-                                       uint32_t bits, uint64_t f, uint64_t dx, uint64_t dxx) {
-  uint32_t dark = 0, bit = 1;
-  for (; bits != 0; bits >>= 1, bit <<= 1, column++, f += dx, dx += dxx) {
+                                       uint32_t bits, const shadow_run *at, uint32_t *asked) {
+  uint32_t dark = 0, open = 0, bit = 1;
+  uint64_t f = at->f, dx = at->dx;
+  for (; bits != 0; bits >>= 1, bit <<= 1, column++, f += dx, dx += at->dxx) {
     bool sure = fc_to_i64(f) > test->dark;
     if (!(bits & 1) || fc_to_i64(f) < test->lit) continue;
     if (test->everywhere == 0) {
@@ -1259,11 +1266,12 @@ static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *t
       if (a <= test->ahead.margin) sure = false;
     }
     if (test->doubted && scan->x + column >= test->doubt.x0 && scan->x + column <= test->doubt.x1) sure = false;
-    if (!sure)
-      sure = fc_scan_guesses(scan) ? fc_to_i64(f) > 0
-                                   : fc_planar_blocked(scan, test->receiver, row, column, test->kind, test->form);
-    if (sure) dark |= bit;
+    if (sure || (fc_scan_guesses(scan) && fc_to_i64(f) > 0))
+      dark |= bit;
+    else if (!fc_scan_guesses(scan))
+      open |= bit;
   }
+  *asked = open;
   return dark;
 }
 
@@ -1373,49 +1381,65 @@ static FC_NOINLINE bool beyond_edges(fc_planar *receiver, const int64_t center[3
   return false;
 }
 
-/* A row whose form is f, dx and dxx at its first pixel. */
-static FC_NOINLINE void darken_row(fc_scan *scan, const shadow_test *test, uint16_t row, uint64_t f, uint64_t dx, uint64_t dxx) {
-  const bool concave = fc_to_i64(dxx) < 0;
+/* Pixels of a word in the dark, from where the run stands; *asked: those that the form leaves open. */
+static FC_NOINLINE uint32_t darken_word(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column, uint32_t bits,
+                                        const shadow_run *from, uint32_t *asked) {
+  const bool concave = fc_to_i64(from->dxx) < 0;
+  const int64_t lit = test->lit, bulge = test->bulge;
+  shadow_run at = *from;
+  uint32_t darkened = 0;
+  uint8_t k;
+  for (k = 0; bits != 0; k = (uint8_t)(k + 8), bits >>= 8) {
+    /* 8 on: f + 8 dx + 28 dxx */
+    const uint64_t f8 = at.f + (at.dx << 3) + (at.dxx << 5) - (at.dxx << 2);
+    uint32_t some = bits & 0xffu, open;
+    if (concave && fc_to_i64(at.f) < lit && fc_to_i64(at.dx) <= 0) break;
+    if (some != 0) {
+      bool all = false;
+      if (column + k + 8 <= scan->columns) {
+        const bool falls = fc_to_i64(f8) < fc_to_i64(at.f);
+        const int64_t low = fc_to_i64(falls ? f8 : at.f), high = fc_to_i64(falls ? at.f : f8);
+        if (high < lit - (bulge << 3) || (concave && fc_to_i64(f8) < lit && fc_to_i64(at.dx + (at.dxx << 3) - at.dxx) >= 0))
+          some = 0;
+        else
+          all = low > test->dark + (bulge << 3) && test->everywhere > 0 && !test->doubted;
+      }
+      if (!all && some != 0) {
+        some = shade_some(scan, test, row, (uint16_t)(column + k), some, &at, &open);
+        *asked |= open << k;
+      }
+      darkened |= some << k;
+    }
+    at.f = f8;
+    at.dx += at.dxx << 3;
+  }
+  return darkened;
+}
+
+/* A row, from where the run stands: its first pixel. */
+static FC_NOINLINE void darken_row(fc_scan *scan, const shadow_test *test, uint16_t row, shadow_run *at) {
+  const bool concave = fc_to_i64(at->dxx) < 0;
   const int64_t lit = test->lit;
-  /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|; f, below 2^62,
-   * bends by 8 dxx over 8 columns */
-  const int64_t bulge = scan->columns < 8 ? 0 : (int64_t)fc_abs64(fc_to_i64(dxx));
   uint16_t column = 0;
   uint8_t word;
   for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
-    uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
+    uint32_t bits = scan->mask[row * scan->words + word], asked = 0;
     /* 32 columns on: f + 32 dx + 496 dxx */
-    uint64_t f_next = f + (dx << 5) + (dxx << 9) - (dxx << 4), dx_next = dx + (dxx << 5);
+    const uint64_t f_next = at->f + (at->dx << 5) + (at->dxx << 9) - (at->dxx << 4), dx_next = at->dx + (at->dxx << 5);
+    const int64_t least = lit - (test->bulge << 7);
     /* an ellipse: once f is below and falls, or as long as it still rises and stays below, there is nothing to find */
-    if (concave && fc_to_i64(f) < lit && fc_to_i64(dx) <= 0) break;
-    if (concave && word + 1 < scan->words && fc_to_i64(f_next) < lit && fc_to_i64(dx_next - dxx) >= 0) bits = 0;
+    if (concave && fc_to_i64(at->f) < lit && fc_to_i64(at->dx) <= 0) break;
+    if (concave && word + 1 < scan->words && fc_to_i64(f_next) < lit && fc_to_i64(dx_next - at->dxx) >= 0) bits = 0;
     /* what lies past the tile does not fit */
-    if (bits != 0 && (word + 1 == scan->words || fc_to_i64(f) >= lit - (bulge << 7) || fc_to_i64(f_next) >= lit - (bulge << 7))) {
-      uint8_t k;
-      for (k = 0; bits != 0; k = (uint8_t)(k + 8), bits >>= 8) {
-        /* 8 on: f + 8 dx + 28 dxx */
-        uint64_t f8 = f + (dx << 3) + (dxx << 5) - (dxx << 2);
-        uint32_t some = bits & 0xffu;
-        if (concave && fc_to_i64(f) < lit && fc_to_i64(dx) <= 0) break;
-        if (some != 0 && column + k + 8 > scan->columns) {
-          darkened |= shade_some(scan, test, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
-        } else if (some != 0) {
-          const bool falls = fc_to_i64(f8) < fc_to_i64(f);
-          const int64_t low = fc_to_i64(falls ? f8 : f), high = fc_to_i64(falls ? f : f8);
-          if (high >= lit - (bulge << 3) && !(concave && fc_to_i64(f8) < lit && fc_to_i64(dx + (dxx << 3) - dxx) >= 0)) {
-            if (low > test->dark + (bulge << 3) && test->everywhere > 0 && !test->doubted)
-              darkened |= some << k;
-            else
-              darkened |= shade_some(scan, test, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
-          }
-        }
-        f = f8;
-        dx += dxx << 3;
-      }
-      if (darkened != 0) fc_planar_darken(scan, row, column, darkened);
+    if (bits != 0 && (word + 1 == scan->words || fc_to_i64(at->f) >= least || fc_to_i64(f_next) >= least)) {
+      uint32_t dark = darken_word(scan, test, row, column, bits, at, &asked), bit = 1;
+      uint16_t x = column;
+      for (; asked != 0; asked >>= 1, bit <<= 1, x++)
+        if ((asked & 1) && fc_planar_blocked(scan, test->receiver, row, x, test->kind, test->form)) dark |= bit;
+      if (dark != 0) fc_planar_darken(scan, row, column, dark);
     }
-    f = f_next;
-    dx = dx_next;
+    at->f = f_next;
+    at->dx = dx_next;
   }
 }
 
@@ -1423,6 +1447,7 @@ static FC_NOINLINE void darken_row(fc_scan *scan, const shadow_test *test, uint1
 typedef struct shadow_work {
   fc_cone cone;
   shadow_test test;
+  shadow_run run;
 } shadow_work;
 
 typedef char shadow_fits[sizeof(shadow_work) <= FC_SHADOW_WORK * sizeof(int64_t) ? 1 : -1];
@@ -1448,6 +1473,8 @@ void fc_sphere_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, c
   fc_cone_setup(cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
   test->dark = cone->error;
   test->lit = -cone->error;
+  /* f, below 2^62, bends by 8 dxx over 8 columns */
+  test->bulge = scan->columns < 8 ? 0 : (int64_t)fc_abs64(cone->dxx);
   test->receiver = receiver;
   test->kind = kind;
   test->form = form;
@@ -1458,6 +1485,9 @@ void fc_sphere_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, c
       known = true;
     }
     test->doubted = scan->y + row >= test->doubt.y0 && scan->y + row <= test->doubt.y1;
-    darken_row(scan, test, row, (uint64_t)cone->f, (uint64_t)cone->dx, (uint64_t)cone->dxx);
+    work->run.f = (uint64_t)cone->f;
+    work->run.dx = (uint64_t)cone->dx;
+    work->run.dxx = (uint64_t)cone->dxx;
+    darken_row(scan, test, row, &work->run);
   }
 }

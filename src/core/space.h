@@ -12,6 +12,7 @@
 typedef struct fc_room {
   fc_segment segment; /* to a light */
   fc_prepared prepared;
+  fc_form form;
   fc_root best, next; /* of the nearest hit, and of the one that is compared with it */
 } fc_room;
 

@@ -137,12 +137,15 @@ static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction
    * direction 30 bits, oc 31: b < 3 * 2^61 < 2^63; a < 3 * 2^60; |c| < 2^64: a c < 2^126, b^2 < 2^126 (Lagrange:
    * b^2 <= a |oc|^2), so the difference is below 2^127. */
   int64_t b = fc_dot(direction, prepared->u.sphere.oc), a = fc_dot(direction, direction);
+  fc_i128 ac;
   int8_t outside = fc_i128_sign(prepared->u.sphere.c), sign;
   if (outside >= 0 && b <= 0) return 0;
   root->p = fc_i128_from(b);
   root->m = fc_i128_from(a);
   root->c = prepared->u.sphere.c;
-  root->d = fc_i128_sub(fc_i128_mul(b, b), fc_i128_scale(root->c, a));
+  ac = fc_i128_scale(root->c, a);
+  fc_i128_set_product(&root->d, b, b);
+  fc_i128_minus(&root->d, &ac);
   root->q = outside > 0 ? -1 : 1;
   sign = fc_i128_sign(root->d);
   if (sign < 0) return 0;
