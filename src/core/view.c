@@ -182,11 +182,16 @@ FC_COLD void fc_view_direction(const fc_frame *frame, uint16_t x, uint16_t y, in
   direction[2] = frame->view.focal;
 }
 
-FC_COLD bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t d[3]) {
+FC_COLD bool fc_too_far_in(fc_wide *w, const fc_frame *frame, const fc_root *root, const int64_t d[3]) {
   if (frame->scene.far_limit == 0) return false;
   /* 30-bit components: below 3 * 2^60 */
-  return fc_root_compare_distance(root, fc_dot(d, d), frame->scene.far_limit,
+  return fc_root_compare_distance_in(w, root, fc_dot(d, d), frame->scene.far_limit,
                                   fc_view_far_exponent(frame)) > 0;
+}
+
+FC_COLD bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t d[3]) {
+  fc_wide w;
+  return fc_too_far_in(&w, frame, root, d);
 }
 
 FC_COLD bool fc_window_cut(const fc_frame *frame, fc_window *box) {
