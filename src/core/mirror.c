@@ -162,4 +162,4 @@ static FC_COLD void follow(fc_shading *first, const void *data) {
   }
 }
 
-const fc_layer_kind fc_layer_mirror FC_ROM = {check, NULL, NULL, follow};
+const fc_layer_kind fc_layer_mirror FC_ROM = {check, NULL, NULL, follow, NULL};

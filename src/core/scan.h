@@ -39,6 +39,9 @@ typedef struct fc_tint {
   const fc_transfer *transfer; /* with one, the levels are those of 255, before rounding */
 } fc_tint;
 
+/* What draws a material's layers by fast forms (coat.h). */
+typedef struct fc_coat_kind fc_coat_kind;
+
 /* A primitive being drawn into a rectangle of the frame, of which the strip holds some rows. Where tiles lie depends on the
  * primitive alone, so that forms, which are rounded at a tile's origin, are the same for every strip height. */
 struct fc_scan {
@@ -57,6 +60,7 @@ struct fc_scan {
   bool clip_far;       /* the far limit may cut the primitive */
   uint8_t skip;        /* rows of the frame with this parity are left out; FC_SKIP_NONE: none */
   fc_tint tint;
+  const fc_coat_kind *coat; /* NULL: the material is matte, or light is FC_LIGHT_MANY */
   uint32_t mask[FC_SCAN_WORDS]; /* bit i of word j of a row: pixel 32 j + i shows the primitive */
 };
 
@@ -122,6 +126,9 @@ static inline uint8_t *fc_scan_pixel(const fc_scan *scan, uint16_t row, uint16_t
 
 /* Sets light and tint for scan->form's material. */
 void fc_scan_tint(fc_scan *scan);
+
+/* The tint's slope of a reflectance under the frame's only light; 2^15 and more: too bright for the fast forms. */
+uint32_t fc_scan_slope(const fc_scan *scan, uint16_t reflectance, uint8_t channel);
 
 /* Decides a pixel by the ray engine: true when the primitive is what it shows so far; its depth is then written. */
 bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column);

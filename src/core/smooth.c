@@ -33,4 +33,4 @@ static FC_COLD void surface(fc_shading *shading, const void *data) {
   for (i = 0; i < 3; i++) shading->normal[i] = n[i];
 }
 
-const fc_layer_kind fc_layer_smooth FC_ROM = {check, surface, NULL, NULL};
+const fc_layer_kind fc_layer_smooth FC_ROM = {check, surface, NULL, NULL, NULL};

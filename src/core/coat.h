@@ -1,0 +1,108 @@
+/*
+ * The scan engine's side of layers: a material whose layers all have fast forms for a shape is lit as a matte one, and then coloured here.
+ *
+ * What decides (visible, lit) is the scan engine's, layers or not; only values are made here, each with a bound that docs/SPEC.md section 5
+ * states. What a form cannot promise is shaded by a ray, as all layered materials are without these forms.
+ */
+#ifndef FC_COAT_H
+#define FC_COAT_H
+
+#include "ball.h"
+#include "layer.h"
+#include "planar.h"
+#include "scan.h"
+
+/* Colours a primitive's tiles. */
+struct fc_coat_kind {
+  /* Whether every layer of the material has forms for the shape and the light that `scan` is set up for, the tint included. */
+  bool (*fits)(const fc_scan *scan, const fc_material *material);
+  /* In place of fc_planar_light. */
+  void (*planar)(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners);
+  /* In place of fc_ball_draw without a coat. */
+  void (*sphere)(fc_scan *scan, const fc_placed_sphere *placed);
+};
+
+extern const fc_coat_kind fc_coat_layers;
+
+/* A tile being coloured. */
+typedef struct fc_coat fc_coat;
+
+/* What a kind of layer brings: NULL functions have nothing to do. */
+typedef struct fc_coat_layer {
+  const fc_coat_kind *kind; /* fc_coat_layers */
+  bool (*fits)(const fc_scan *scan, const void *data);
+  /* A tile on a plane: sets up forms; adds to, or changes, a run's light. */
+  void (*planar_start)(fc_coat *coat, const void *data);
+  void (*planar_run)(fc_coat *coat, const void *data);
+  /* A tile of a sphere, and a run of it. */
+  void (*sphere_start)(fc_coat *coat, const void *data);
+  void (*sphere_run)(fc_coat *coat, const void *data);
+} fc_coat_layer;
+
+/* Up to 32 neighbouring pixels of a row. */
+typedef struct fc_coat_run {
+  uint16_t row, column;
+  uint32_t bits;        /* those that the light reaches */
+  const fc_square *square; /* planes: W.W at the row's first column */
+  const uint32_t *p;    /* spheres: near / z, as fc_ball_light has it */
+  const uint32_t *e;    /* ... s - h in Q24, within the light's margin */
+  uint32_t b, b_step;   /* ... p less the root: at the first pixel, and its steps */
+} fc_coat_run;
+
+/* Phong's highlight: c^2 = X^2 / (Y |D|^2) in integers. */
+typedef struct fc_coat_phong {
+  uint32_t slope[3];      /* of the specular reflectance: levels as fc_tint has them, a highlight in Q16 */
+  uint32_t shininess_q8;
+  uint32_t least;         /* c^n is below 2^-12 where c^2 is below this, Q16, rounded down ... */
+  uint32_t most;          /* ... and where log2(1 / c^2) is beyond this, Q20 */
+  uint16_t row;           /* of the squares */
+  fc_square x;            /* planes: X */
+  fc_square d;            /* |D|^2 */
+  /* spheres */
+  int32_t along, along_dx, along_dy; /* D.(L - C) / l at the tile's first pixel */
+  uint32_t root;          /* p less b times root / 2^32 2^root_up: n.D */
+  int8_t root_up;
+  uint8_t root_down;      /* 15 - root_up */
+  uint8_t octave;         /* p of fewer bits tells too little */
+  bool rough;             /* all of them do */
+  uint32_t slack;         /* of X / 2^16 by 16 bits */
+  uint32_t h, y0, h2;     /* r / l in Q24; 1 - h^2 in Q14 and 2 h in Q15 */
+} fc_coat_phong;
+
+extern const fc_coat_layer fc_coat_layer_phong;
+
+struct fc_coat {
+  fc_scan *scan;
+  fc_material material;
+  const fc_planar *planar;  /* planes */
+  const fc_cosine *cosine;
+  const fc_ball_light *light; /* spheres */
+  const fc_placed_sphere *placed;
+  int16_t drop;
+  uint32_t error;
+  fc_coat_run run;
+  fc_coat_phong phong;
+};
+
+/* a.b over a tile, for forms with components below 2^30 there. */
+void fc_square_set(fc_square *s, const fc_sheaf *a, const fc_sheaf *b);
+
+/* The value and differences of a form `column` columns on, in 2^down: floored value, rounded differences. Over 32 columns what follows them is within
+ * 1 + 16 + 248 of the form. */
+typedef struct fc_steps {
+  uint32_t at, dx, dxx;
+} fc_steps;
+void fc_steps_start(const fc_square *s, uint16_t column, uint8_t down, fc_steps *steps);
+
+static inline void fc_steps_next(fc_steps *s) {
+  s->at += s->dx;
+  s->dx += s->dxx;
+}
+
+/* The tile's directions as a sheaf: components below 2^30. */
+void fc_coat_directions(const fc_scan *scan, fc_sheaf *d);
+
+/* Colours a pixel from its cosine and a highlight, both Q16. */
+void fc_coat_put(const fc_tint *tint, const uint32_t slope[3], uint32_t cosine, uint32_t highlight, uint8_t *to);
+
+#endif
