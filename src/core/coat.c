@@ -16,7 +16,7 @@ FC_COLD void fc_square_set(fc_square *s, const fc_sheaf *a, const fc_sheaf *b) {
 /* round(v / 2^down) of a two's complement value: the low word of it. */
 static uint32_t rounded(uint64_t v, uint8_t down) { return (uint32_t)((v + (UINT64_C(1) << (down - 1))) >> down); }
 
-FC_COLD void fc_steps_start(const fc_square *s, uint16_t column, uint8_t down, fc_steps *steps) {
+FC_HOT void fc_steps_start(const fc_square *s, uint16_t column, uint8_t down, fc_steps *steps) {
   uint64_t at = s->at, dx = s->dx;
   if (column != 0) {
     at += fc_times(dx + fc_times(s->dxx >> 1, (uint16_t)(column - 1u)), column); /* dxx is even */
@@ -57,7 +57,7 @@ FC_NOINLINE void fc_coat_put(const fc_tint *tint, const uint32_t slope[3], uint3
 
 /* ---- layers ---- */
 
-static FC_COLD bool layer_at(const fc_material *material, uint16_t i, fc_layer *layer, fc_coat_layer *coat) {
+static bool layer_at(const fc_material *material, uint16_t i, fc_layer *layer, fc_coat_layer *coat) {
   fc_layer_kind kind;
   FC_READ_ONE(layer, material->layers + i);
   FC_READ_ONE(&kind, layer->kind);
@@ -81,7 +81,7 @@ static FC_COLD bool fits(const fc_scan *scan, const fc_material *material) {
 
 enum { PLANAR_START, PLANAR_RUN, SPHERE_START, SPHERE_RUN };
 
-static FC_COLD void apply(fc_coat *coat, uint8_t which) {
+static FC_NOINLINE void apply(fc_coat *coat, uint8_t which) {
   uint16_t i;
   for (i = 0; i < coat->material.layer_count; i++) {
     fc_layer layer;

@@ -65,8 +65,9 @@ typedef struct fc_coat_phong {
   uint8_t root_down;      /* 15 - root_up */
   uint8_t octave;         /* p of fewer bits tells too little */
   bool rough;             /* all of them do */
-  uint32_t slack;         /* of X / 2^16 by 16 bits */
-  uint32_t h, y0, h2;     /* r / l in Q24; 1 - h^2 in Q14 and 2 h in Q15 */
+  uint32_t h;             /* r / l in Q24 */
+  int32_t t0;             /* c^n is below 2^-12 where X / 2^16 is below t0 - t1 (s - h) */
+  uint32_t t1;
 } fc_coat_phong;
 
 extern const fc_coat_layer fc_coat_layer_phong;

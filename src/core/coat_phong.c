@@ -110,7 +110,7 @@ static FC_COLD void planar_start(fc_coat *coat, const void *data) {
 }
 
 /*
- * Pixels of a run, `some` at most: what follows a form for that long is within its error. c^2 = X^2 / (Y |D|^2) with X in 2^29, Y = W.W in 2^30 and
+ * Pixels of a run. c^2 = X^2 / (Y |D|^2) with X in 2^29, Y = W.W in 2^30 and
  * |D|^2 in 2^28. Where even 16-bit products say that c^n is below 2^-12, the pixel keeps its colour.
  */
 static FC_HOT void planar_pixels(const fc_coat_phong *phong, const fc_tint *tint, fc_steps x, fc_steps y, fc_steps d, int32_t g, int32_t dg,
@@ -131,7 +131,24 @@ static FC_HOT void planar_pixels(const fc_coat_phong *phong, const fc_tint *tint
   }
 }
 
-static FC_COLD void planar_run(fc_coat *coat, const void *data) {
+/* Whether no pixel of the next `count` may shine: by X's greatest and the others' least. X lies below its chord, or by count^2 / 8 of its second difference
+ * above. */
+static FC_NOINLINE bool is_dull(const fc_coat_phong *phong, const fc_steps *x, uint32_t least_y, const fc_steps *d, uint8_t count) {
+  const int32_t bend = fc_to_i32(x->dxx), last = fc_to_i32(x->at + x->dx * count + x->dxx * ((uint32_t)count * (count - 1u) / 2));
+  int64_t most = last > fc_to_i32(x->at) ? last : fc_to_i32(x->at);
+  fc_cosine_row row;
+  uint32_t high;
+  if (bend < 0) most += (int64_t)(fc_mul32(fc_abs32(bend), (uint32_t)count * count) >> 3);
+  if (most < 0) return true;
+  if (most >> 31 != 0) return false;
+  row.q = d->at >> 1; /* as a positive number */
+  row.dq = (uint32_t)fc_floor_shift32(fc_to_i32(d->dx), 1);
+  row.ddq = d->dxx >> 1;
+  high = ((uint32_t)most >> 16) + 1;
+  return high * high < ((least_y >> 16) * (fc_cosine_least(&row, count) >> 15) >> 16) * phong->least;
+}
+
+static FC_NOINLINE void planar_run(fc_coat *coat, const void *data) {
   fc_coat_phong *phong = &coat->phong;
   const fc_scan *scan = coat->scan;
   const fc_coat_run *run = &coat->run;
@@ -161,12 +178,40 @@ static FC_COLD void planar_run(fc_coat *coat, const void *data) {
       fc_scan_shade_slowly(scan, run->row, at, bits);
       return;
     }
+    if (length == 32 && is_dull(phong, &x, least, &d, (uint8_t)(32 - fc_clz32(bits)))) return;
     planar_pixels(phong, &scan->tint, x, y, d, coat->cosine->at + at * coat->cosine->dx + run->row * coat->cosine->dy, coat->cosine->dx,
                   length == 32 ? bits : bits & 255, fc_scan_pixel(scan, run->row, at), scan->pixel_bytes);
     if (length == 32) return;
     bits >>= 8;
     at = (uint16_t)(at + 8);
   }
+}
+
+/* t0 and t1 of `bright`, from the least |D| of the tile. */
+static FC_COLD void set_test(fc_coat *coat, const fc_sheaf *d) {
+  fc_coat_phong *phong = &coat->phong;
+  const fc_ball_light *light = coat->light;
+  uint64_t square = (uint64_t)fc_smul32(d->at[2], d->at[2]);
+  const uint64_t whole = (UINT64_C(1) << 24) - (uint32_t)light->h;
+  fc_quick scale, y;
+  int32_t end;
+  uint8_t i;
+  for (i = 0; i < 2; i++) {
+    const int32_t first = d->at[i], last = first + (i == 0 ? d->dx[0] * (coat->scan->columns - 1) : d->dy[1] * (coat->scan->rows - 1));
+    int32_t near = fc_abs32(first) < fc_abs32(last) ? first : last;
+    if ((first < 0) != (last < 0)) near = 0;
+    square += (uint64_t)fc_smul32(near, near);
+  }
+  scale = fc_quick_mul(fc_quick_from(phong->least, -16), fc_quick_from(square, 0));
+  if (scale.m != 0) scale = fc_quick_mul(scale, fc_quick_rsqrt(scale)); /* X below 2^30, in 2^16: */
+  y = fc_quick_from((uint64_t)((INT32_C(1) << 25) - light->sum), -24);
+  y = fc_quick_mul(y, fc_quick_rsqrt(y));
+  phong->t0 = fc_quick_to_int(fc_quick_mul(scale, y), -16);
+  end = fc_quick_to_int(fc_quick_mul(scale, fc_quick_from(whole, -24)), -16);
+  end = phong->t0 - end + 1; /* at most 2^15; the quotient's below that: 1 / sqrt(1 - h^2) - ... < 1 */
+  phong->t1 = (uint32_t)fc_quick_times(fc_quick_recip(fc_quick_from(whole, -24)), end, 0) + 1;
+  /* what 16 bits of p and X's own are off by, in 2^-14 of X's greatest */
+  phong->t0 -= (int32_t)((uint32_t)(light->margin == INT32_MAX ? light->fine_margin : light->margin) >> 9) + 6;
 }
 
 /*
@@ -207,30 +252,32 @@ static FC_COLD void sphere_start(fc_coat *coat, const void *data) {
                  phong->root_up < -16;
   phong->root_down = (uint8_t)(phong->rough ? 15 : 15 - phong->root_up);
   phong->octave = (uint8_t)(22 + fc_bits64(coat->error));
-  /* in 2^-14 of X's greatest: what 16 bits of p are off by */
-  phong->slack = light->margin == INT32_MAX ? (uint32_t)light->fine_margin : (uint32_t)light->margin;
-  phong->slack = (phong->slack >> 9) + 4;
   phong->h = (uint32_t)light->h;
-  phong->h2 = (uint32_t)light->h >> 8; /* h below 3/4 */
-  phong->y0 = (uint32_t)(((INT32_C(1) << 25) - light->sum) >> 10);
+  set_test(coat, &sheaf);
 }
 
-/* What a run of a sphere's pixels needs besides the coat. */
-typedef struct ball_run {
-  const uint32_t *p, *e;
-  uint32_t bits, b, b_step;
-  int32_t along, along_dx, facing; /* Phong's form, and the light's (fc_ball_refined) */
-  fc_steps d;
-} ball_run;
-
-/* X's first 16 bits and c^n's test by them; e within the light's margin. */
-FC_INLINE bool may_shine(const fc_coat_phong *phong, uint32_t root, uint32_t e, int32_t along, uint32_t square) {
-  /* w < 2^30, 2 s - h in Q14 up to 2^15: 15 + 15 bits */
-  const uint32_t w = (root >> 16) * (phong->root >> 16) >> phong->root_down;
-  const int32_t x = (int32_t)(((2 * e + phong->h) >> 10) * w >> 15) + fc_floor_shift32(along, 16) + (int32_t)phong->slack;
-  /* Y in Q14: 1 - h^2 - 2 h e; X^2 = c^2 Y |D|^2 / 2 in X's unit, Y in 2^-29 and |D|^2 in 2^28 */
-  const uint32_t y = phong->y0 - ((e >> 10) * phong->h2 >> 15);
-  return x > 0 && (uint32_t)(x * x) >= (y * (square >> 16) >> 16) * (phong->least >> 2);
+/*
+ * Those of a run's pixels where c^n may be worth 2^-12, by 16 bits: X against the root of `least` Y |D|^2 / 2. Y = 1 - h^2 - 2 h e; over e = s - h in
+ * 0 .. 1 - h its root is concave, so it lies above the chord t0 - t1 e.
+ */
+static FC_HOT uint32_t bright(const fc_coat_phong *phong, const uint32_t *p, const uint32_t *e, uint8_t count, uint32_t b, uint32_t b_step,
+                              int32_t along, int32_t along_dx) {
+  const uint32_t root = phong->root >> 16, h = phong->h, t1 = phong->t1;
+  const int32_t t0 = phong->t0;
+  const uint8_t down = phong->root_down;
+  const uint32_t *end = p + count;
+  uint32_t bits = 0, bit = 1;
+  do {
+    /* n.D below 2^30, 2 s - h in Q14 up to 2^15: 15 + 15 bits; what is not lit may wrap, and is not asked for */
+    const uint32_t w = ((*p - b) >> 16) * root >> down, s = *e;
+    const int32_t x = (int32_t)(((2 * s + h) >> 10) * w >> 15) + fc_floor_shift32(along, 16);
+    if (x + (int32_t)((s >> 10) * t1 >> 14) >= t0) bits |= bit;
+    bit <<= 1;
+    b += b_step;
+    along += along_dx;
+    e++;
+  } while (++p != end);
+  return bits;
 }
 
 /* A pixel that may: s refined; false when p tells too little. */
@@ -256,42 +303,32 @@ static FC_NOINLINE bool shine(const fc_coat *coat, uint32_t p, uint32_t root, in
   return true;
 }
 
-static FC_HOT void sphere_pixels(const fc_coat *coat, const ball_run *of, uint16_t row, uint16_t column) {
-  uint32_t bits = of->bits, b = of->b;
-  fc_steps d = of->d;
-  const uint32_t *p = of->p, *e = of->e;
-  int32_t along = of->along;
-  for (; bits != 0; bits >>= 1, p++, e++, column++) {
-    const uint32_t root = *p > b ? *p - b : 0;
-    if ((bits & 1) && may_shine(&coat->phong, root, *e, along, d.at) &&
-        !shine(coat, *p, root, of->facing + coat->light->dx * (int32_t)(p - of->p), along, d.at, fc_scan_pixel(coat->scan, row, column)))
-      fc_scan_shade_slowly(coat->scan, row, column, 1);
-    b += of->b_step;
-    along += of->along_dx;
-    fc_steps_next(&d);
-  }
-}
-
-static FC_COLD void sphere_run(fc_coat *coat, const void *data) {
+static FC_NOINLINE void sphere_run(fc_coat *coat, const void *data) {
   fc_coat_phong *phong = &coat->phong;
   const fc_coat_run *run = &coat->run;
-  ball_run of;
+  const int32_t along = phong->along + phong->along_dx * run->column + phong->along_dy * run->row;
+  const int32_t facing = coat->light->at + coat->light->dx * run->column + coat->light->dy * run->row;
+  uint32_t bits;
+  uint8_t i, square_at = 0;
+  fc_steps d;
   (void)data;
   if (phong->rough) {
     fc_scan_shade_slowly(coat->scan, run->row, run->column, run->bits);
     return;
   }
+  bits = run->bits & bright(phong, run->p, run->e, (uint8_t)(32 - fc_clz32(run->bits)), run->b, run->b_step, along, phong->along_dx);
+  if (bits == 0) return;
   for (; phong->row < run->row; phong->row++) fc_square_next_row(&phong->d);
-  of.p = run->p;
-  of.e = run->e;
-  of.bits = run->bits;
-  of.b = run->b;
-  of.b_step = run->b_step;
-  of.along_dx = phong->along_dx;
-  of.along = phong->along + phong->along_dx * run->column + phong->along_dy * run->row;
-  of.facing = coat->light->at + coat->light->dx * run->column + coat->light->dy * run->row;
-  fc_steps_start(&phong->d, run->column, 28, &of.d);
-  sphere_pixels(coat, &of, run->row, run->column);
+  fc_steps_start(&phong->d, run->column, 28, &d);
+  for (i = 0; bits != 0; bits >>= 1, i++) {
+    const uint16_t column = (uint16_t)(run->column + i);
+    const uint32_t b = run->b + run->b_step * i;
+    if (!(bits & 1)) continue;
+    for (; square_at < i; square_at++) fc_steps_next(&d);
+    if (!shine(coat, run->p[i], run->p[i] > b ? run->p[i] - b : 0, facing + coat->light->dx * i, along + phong->along_dx * i, d.at,
+               fc_scan_pixel(coat->scan, run->row, column)))
+      fc_scan_shade_slowly(coat->scan, run->row, column, 1);
+  }
 }
 
 const fc_coat_layer fc_coat_layer_phong FC_ROM = {&fc_coat_layers, fits, planar_start, planar_run, sphere_start, sphere_run};

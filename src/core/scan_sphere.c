@@ -978,7 +978,7 @@ static void next_row(sphere_forms *ball, int64_t b_dy) {
 }
 
 /* The same for a coat. */
-static FC_COLD void light_row_coated(const fc_scan *scan, const sphere_forms *ball, fc_ball_light *light, uint16_t row, uint16_t column,
+static FC_NOINLINE void light_row_coated(const fc_scan *scan, const sphere_forms *ball, fc_ball_light *light, uint16_t row, uint16_t column,
                                      uint32_t bits, const uint32_t *p, fc_ball_coat *coat) {
   uint32_t e[32], rest;
   uint8_t i;
