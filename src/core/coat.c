@@ -1,6 +1,7 @@
 /* Tiles of layered materials: the scan engine's light, then each layer's forms, run by run. */
 #include "coat.h"
 
+#include "mesh.h"
 #include "pixel.h"
 
 FC_COLD void fc_square_set(fc_square *s, const fc_sheaf *a, const fc_sheaf *b) {
@@ -55,6 +56,38 @@ FC_NOINLINE void fc_coat_put(const fc_tint *tint, const uint32_t slope[3], uint3
   fc_pixel_put(tint->format, level, to);
 }
 
+FC_COLD bool fc_coat_weights_set(const fc_scan *scan, fc_coat_weights *weights) {
+  int64_t d[3], step, at[3], dx[3], dy[3];
+  fc_triangle copy;
+  const fc_triangle *triangle = fc_triangle_at(&scan->at->group.shapes, scan->index, &copy);
+  uint64_t most = 0;
+  uint8_t i, j, bits, shift;
+  fc_scan_direction(scan, d, &step);
+  for (i = 0; i < 3; i++) {
+    /* V_i+1 x V_i+2 has 63 bits, D 30, and W is below 2^61 in 2^32 of that */
+    int64_t n[3], right, down;
+    fc_cross(scan->form->u.triangle.vertex[i == 2 ? 0 : i + 1], scan->form->u.triangle.vertex[i == 0 ? 2 : i - 1], n);
+    at[i] = 0;
+    for (j = 0; j < 3; j++) at[i] += fc_smul64hi(n[j], (int32_t)d[j]);
+    dx[i] = fc_smul64hi(n[0], (int32_t)step);
+    dy[i] = fc_smul64hi(n[1], (int32_t)-step);
+    right = dx[i] * (scan->columns - 1);
+    down = dy[i] * (scan->rows - 1);
+    most |= fc_abs64(at[i]) | fc_abs64(at[i] + right) | fc_abs64(at[i] + down) | fc_abs64(at[i] + right + down);
+    weights->vertex[i] = triangle->vertex[i];
+  }
+  /* floors of 3, and 1 a step: 2^-17 of the greatest in 2^12 pixels and less */
+  bits = fc_bits64(most);
+  if (bits < 32) return false;
+  shift = (uint8_t)(bits - 29);
+  for (i = 0; i < 3; i++) {
+    weights->at[i] = (int32_t)fc_floor_shift64(at[i], shift);
+    weights->dx[i] = (int32_t)fc_floor_shift64(dx[i], shift);
+    weights->dy[i] = (int32_t)fc_floor_shift64(dy[i], shift);
+  }
+  return true;
+}
+
 /* ---- layers ---- */
 
 static bool layer_at(const fc_material *material, uint16_t i, fc_layer *layer, fc_coat_layer *coat) {
@@ -98,28 +131,50 @@ static FC_COLD void open_coat(fc_coat *coat, fc_scan *scan) {
   FC_READ_ONE(&coat->material, scan->frame->scene.materials + scan->form->material);
 }
 
+/* Colours a run by its cosines. */
+static FC_HOT void put_pixels(const fc_tint *tint, const uint32_t *cosine, uint32_t bits, uint8_t *to, uint8_t pixel_bytes) {
+  for (; bits != 0; bits >>= 1, cosine++, to += pixel_bytes)
+    if (bits & 1) fc_tint_put(tint, *cosine, to);
+}
+
+static FC_NOINLINE void put_run(const fc_coat *coat) {
+  const fc_scan *scan = coat->scan;
+  const fc_coat_run *run = &coat->run;
+  fc_scan_lit(scan, run->row, run->column, run->bits & ~run->slow);
+  put_pixels(&scan->tint, run->cosine, run->bits & ~run->slow, fc_scan_pixel(scan, run->row, run->column), scan->pixel_bytes);
+  if (run->slow != 0) fc_scan_shade_slowly(scan, run->row, run->column, run->slow & run->bits);
+}
+
 static FC_COLD void planar(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
   fc_planar on;
   fc_cosine g;
   fc_square square;
   fc_coat coat;
+  uint32_t cosine[32];
   uint16_t row;
   uint8_t word;
   if (fc_planar_reach(scan, normal, k, hull, corners, &on, &g) != FC_PLANAR_LIT) return;
-  fc_planar_colour(scan, &on, &g);
   open_coat(&coat, scan);
   coat.planar = &on;
   coat.cosine = &g;
   coat.run.square = &square;
+  coat.run.cosine = cosine;
+  coat.cosines = false;
   fc_square_set(&square, &on.w, &on.w);
   apply(&coat, PLANAR_START);
+  if (!coat.cosines) fc_planar_colour(scan, &on, &g);
   for (row = 0; row <= scan->last_row; row++, fc_square_next_row(&square)) {
     if (row < scan->first_row) continue;
     for (word = 0; word < scan->words; word++) {
+      uint32_t bits = scan->mask[row * scan->words + word];
+      if (bits == 0) continue;
       coat.run.row = row;
-      coat.run.column = (uint16_t)(32 * word);
-      coat.run.bits = scan->mask[row * scan->words + word];
-      if (coat.run.bits != 0) apply(&coat, PLANAR_RUN);
+      for (coat.run.column = (uint16_t)(32 * word); !(bits & 1); bits >>= 1) coat.run.column++;
+      coat.run.bits = bits;
+      coat.run.count = (uint8_t)(32 - fc_clz32(bits));
+      coat.run.slow = 0;
+      apply(&coat, PLANAR_RUN);
+      if (coat.cosines) put_run(&coat);
     }
   }
 }

@@ -42,7 +42,10 @@ typedef struct fc_coat_layer {
 /* Up to 32 neighbouring pixels of a row. */
 typedef struct fc_coat_run {
   uint16_t row, column;
-  uint32_t bits;        /* those that the light reaches */
+  uint32_t bits;        /* those that the light reaches; planes: the first pixel is one of them */
+  uint8_t count;        /* planes: up to the last of them */
+  uint32_t slow;        /* planes: those that a layer leaves to a ray */
+  uint32_t *cosine;     /* planes: Q16, of each pixel, when fc_coat.cosines says so */
   const fc_square *square; /* planes: W.W at the row's first column */
   const uint32_t *p;    /* spheres: near / z, as fc_ball_light has it */
   const uint32_t *e;    /* ... s - h in Q24, within the light's margin */
@@ -72,6 +75,24 @@ typedef struct fc_coat_phong {
 
 extern const fc_coat_layer fc_coat_layer_phong;
 
+/* The barycentric weights of a triangle's vertices over a tile, times a common number: below 2^29 there. */
+typedef struct fc_coat_weights {
+  int32_t at[3], dx[3], dy[3]; /* at the tile's first pixel, to the next column, to the next row */
+  uint16_t vertex[3];          /* in the table's vertices */
+} fc_coat_weights;
+
+/* False when rounding would tell. */
+bool fc_coat_weights_set(const fc_scan *scan, fc_coat_weights *weights);
+
+/* Smooth normals: as they are, by rays, or by forms. */
+enum { FC_SMOOTH_NOT, FC_SMOOTH_SLOW, FC_SMOOTH_FORMS };
+typedef struct fc_coat_smooth {
+  int32_t at[3], dx[3], dy[3]; /* the normal, towards the eye, any length: below 2^30 in the tile */
+  uint8_t how;
+} fc_coat_smooth;
+
+extern const fc_coat_layer fc_coat_layer_smooth;
+
 struct fc_coat {
   fc_scan *scan;
   fc_material material;
@@ -82,7 +103,9 @@ struct fc_coat {
   int16_t drop;
   uint32_t error;
   fc_coat_run run;
+  bool cosines;             /* planes: a layer makes the run's cosines, and the tile is not coloured yet */
   fc_coat_phong phong;
+  fc_coat_smooth smooth;
 };
 
 /* a.b over a tile, for forms with components below 2^30 there. */
