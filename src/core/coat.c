@@ -41,6 +41,20 @@ FC_COLD void fc_coat_directions(const fc_scan *scan, fc_sheaf *d) {
   d->error = 0;
 }
 
+FC_NOINLINE void fc_coat_put_levels(const fc_tint *tint, const uint32_t v[3], uint8_t *to) {
+  uint8_t level[3], i;
+  for (i = 0; i < 3; i++) {
+    if (tint->transfer != NULL) {
+      level[i] = fc_pixel_transfer(tint->transfer, v[i] >> 31 != 0 ? (uint32_t)INT32_MAX : v[i], 255, tint->most[i]);
+    } else {
+      /* 9 bits */
+      const uint32_t whole = (v[i] >> FC_TINT_BITS) + (v[i] >> (FC_TINT_BITS - 1) & 1);
+      level[i] = whole > tint->most[i] ? tint->most[i] : (uint8_t)whole;
+    }
+  }
+  fc_pixel_put(tint->format, level, to);
+}
+
 FC_NOINLINE void fc_coat_put(const fc_tint *tint, const uint32_t slope[3], uint32_t cosine, uint32_t highlight, uint8_t *to) {
   uint8_t level[3], i;
   for (i = 0; i < 3; i++) {
@@ -100,19 +114,21 @@ static bool layer_at(const fc_material *material, uint16_t i, fc_layer *layer, f
 }
 
 static FC_COLD bool fits(const fc_scan *scan, const fc_material *material) {
-  uint16_t i, layers;
-  FC_READ_ONE(&layers, &material->layer_count);
-  for (i = 0; i < layers; i++) {
+  fc_material copy;
+  uint16_t i;
+  uint8_t roles = 0;
+  FC_READ_ONE(&copy, material);
+  for (i = 0; i < copy.layer_count; i++) {
     fc_layer layer;
     fc_coat_layer coat;
-    fc_material copy;
-    FC_READ_ONE(&copy, material);
-    if (!layer_at(&copy, i, &layer, &coat) || !coat.fits(scan, layer.data)) return false;
+    if (!layer_at(&copy, i, &layer, &coat) || (roles & coat.role) != 0 || !coat.fits(scan, layer.data)) return false;
+    roles |= coat.role;
   }
-  return layers == 1; /* their sums would have to be kept */
+  /* what is added needs the flat normal's cosine and the tint */
+  return (roles & FC_COAT_ADDS) == 0 || roles == FC_COAT_ADDS;
 }
 
-enum { PLANAR_START, PLANAR_RUN, SPHERE_START, SPHERE_RUN };
+enum { PLANAR_START, PLANAR_COSINES, PLANAR_RUN, SPHERE_START, SPHERE_RUN };
 
 static FC_NOINLINE void apply(fc_coat *coat, uint8_t which) {
   uint16_t i;
@@ -121,7 +137,13 @@ static FC_NOINLINE void apply(fc_coat *coat, uint8_t which) {
     fc_coat_layer of;
     void (*act)(fc_coat *, const void *);
     if (!layer_at(&coat->material, i, &layer, &of)) continue;
-    act = which == PLANAR_START ? of.planar_start : which == PLANAR_RUN ? of.planar_run : which == SPHERE_START ? of.sphere_start : of.sphere_run;
+    switch (which) {
+      case PLANAR_START: act = of.planar_start; break;
+      case PLANAR_COSINES: act = of.planar_cosines; break;
+      case PLANAR_RUN: act = of.planar_run; break;
+      case SPHERE_START: act = of.sphere_start; break;
+      default: act = of.sphere_run; break;
+    }
     if (act != NULL) act(coat, layer.data);
   }
 }
@@ -131,51 +153,94 @@ static FC_COLD void open_coat(fc_coat *coat, fc_scan *scan) {
   FC_READ_ONE(&coat->material, scan->frame->scene.materials + scan->form->material);
 }
 
+/* The flat surface's cosines of a run. */
+static FC_HOT void flat_cosines(fc_steps q, int32_t g, int32_t dg, uint8_t count, uint32_t *cosine) {
+  do {
+    *cosine++ = fc_cosine_of(q.at, g);
+    fc_steps_next(&q);
+    g += dg;
+  } while (--count != 0);
+}
+
+static FC_NOINLINE void find_cosines(fc_coat *coat) {
+  fc_coat_run *run = &coat->run;
+  fc_steps q;
+  fc_cosine_row row;
+  fc_steps_start(run->square, run->column, 30, &q);
+  row.q = q.at;
+  row.dq = q.dx;
+  row.ddq = q.dxx;
+  /* off by 265 after 32 pixels: 2^-13 of 2^22 and more, half of which the cosine is off by */
+  if (fc_cosine_least(&row, run->count) < UINT32_C(1) << 22)
+    run->slow = run->lit;
+  else
+    flat_cosines(q, coat->cosine->at + run->column * coat->cosine->dx + run->row * coat->cosine->dy, coat->cosine->dx, run->count, run->cosine);
+}
+
 /* Colours a run by its cosines. */
 static FC_HOT void put_pixels(const fc_tint *tint, const uint32_t *cosine, uint32_t bits, uint8_t *to, uint8_t pixel_bytes) {
   for (; bits != 0; bits >>= 1, cosine++, to += pixel_bytes)
     if (bits & 1) fc_tint_put(tint, *cosine, to);
 }
 
-static FC_NOINLINE void put_run(const fc_coat *coat) {
+/* A run of a tile, and what the light reaches of it. */
+static FC_NOINLINE void colour_run(fc_coat *coat, uint16_t row, uint16_t column, uint32_t bits, uint32_t lit) {
   const fc_scan *scan = coat->scan;
-  const fc_coat_run *run = &coat->run;
-  fc_scan_lit(scan, run->row, run->column, run->bits & ~run->slow);
-  put_pixels(&scan->tint, run->cosine, run->bits & ~run->slow, fc_scan_pixel(scan, run->row, run->column), scan->pixel_bytes);
-  if (run->slow != 0) fc_scan_shade_slowly(scan, run->row, run->column, run->slow & run->bits);
+  fc_coat_run *run = &coat->run;
+  uint8_t i;
+  for (; !(bits & 1); bits >>= 1, lit >>= 1) column++;
+  run->row = row;
+  run->column = column;
+  run->bits = bits;
+  run->lit = lit;
+  run->count = (uint8_t)(32 - fc_clz32(bits));
+  run->slow = 0;
+  if (coat->cosines && lit != 0) {
+    if (coat->smooth.how != FC_SMOOTH_NOT)
+      apply(coat, PLANAR_COSINES);
+    else
+      find_cosines(coat);
+  }
+  if (coat->cosines && lit != bits)
+    for (i = 0; i < run->count; i++)
+      if (!(lit >> i & 1)) run->cosine[i] = 0;
+  apply(coat, PLANAR_RUN);
+  if (!coat->cosines) return;
+  if (lit != 0) fc_scan_lit(scan, row, column, lit & ~run->slow);
+  if (!coat->textured) put_pixels(&scan->tint, run->cosine, bits & ~run->slow, fc_scan_pixel(scan, row, column), scan->pixel_bytes);
+  if ((run->slow & bits) != 0) fc_scan_shade_slowly(scan, row, column, run->slow & bits);
 }
 
 static FC_COLD void planar(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
   fc_planar on;
-  fc_cosine g;
+  fc_cosine g = {0, 0, 0};
   fc_square square;
   fc_coat coat;
-  uint32_t cosine[32];
-  uint16_t row;
-  uint8_t word;
-  if (fc_planar_reach(scan, normal, k, hull, corners, &on, &g) != FC_PLANAR_LIT) return;
+  uint32_t cosine[32], seen[FC_SCAN_WORDS];
+  uint16_t row, i;
+  uint8_t word, reached;
+  for (i = 0; i < scan->rows * scan->words; i++) seen[i] = scan->mask[i];
+  reached = fc_planar_reach(scan, normal, k, hull, corners, &on, &g);
+  if (reached == FC_PLANAR_SLOW) return;
   open_coat(&coat, scan);
   coat.planar = &on;
   coat.cosine = &g;
+  coat.lit = reached == FC_PLANAR_LIT;
   coat.run.square = &square;
   coat.run.cosine = cosine;
-  coat.cosines = false;
-  fc_square_set(&square, &on.w, &on.w);
+  coat.cosines = coat.textured = false;
+  coat.smooth.how = FC_SMOOTH_NOT;
+  if (coat.lit) fc_square_set(&square, &on.w, &on.w);
   apply(&coat, PLANAR_START);
+  if (!coat.lit && !coat.textured) return;
   if (!coat.cosines) fc_planar_colour(scan, &on, &g);
-  for (row = 0; row <= scan->last_row; row++, fc_square_next_row(&square)) {
-    if (row < scan->first_row) continue;
-    for (word = 0; word < scan->words; word++) {
-      uint32_t bits = scan->mask[row * scan->words + word];
-      if (bits == 0) continue;
-      coat.run.row = row;
-      for (coat.run.column = (uint16_t)(32 * word); !(bits & 1); bits >>= 1) coat.run.column++;
-      coat.run.bits = bits;
-      coat.run.count = (uint8_t)(32 - fc_clz32(bits));
-      coat.run.slow = 0;
-      apply(&coat, PLANAR_RUN);
-      if (coat.cosines) put_run(&coat);
+  for (row = 0; row <= scan->last_row; row++) {
+    for (word = 0; row >= scan->first_row && word < scan->words; word++) {
+      const uint32_t lit = coat.lit ? scan->mask[row * scan->words + word] : 0;
+      const uint32_t bits = coat.textured ? seen[row * scan->words + word] : lit;
+      if (bits != 0) colour_run(&coat, row, (uint16_t)(32 * word), bits, lit);
     }
+    if (coat.lit) fc_square_next_row(&square);
   }
 }
 

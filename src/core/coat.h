@@ -24,15 +24,20 @@ struct fc_coat_kind {
 
 extern const fc_coat_kind fc_coat_layers;
 
+/* What a layer does with the pixels: each role at most once in a material. */
+enum { FC_COAT_ADDS = 1, FC_COAT_TURNS = 2, FC_COAT_COLOURS = 4 };
+
 /* A tile being coloured. */
 typedef struct fc_coat fc_coat;
 
 /* What a kind of layer brings: NULL functions have nothing to do. */
 typedef struct fc_coat_layer {
   const fc_coat_kind *kind; /* fc_coat_layers */
+  uint8_t role;             /* FC_COAT_... */
   bool (*fits)(const fc_scan *scan, const void *data);
-  /* A tile on a plane: sets up forms; adds to, or changes, a run's light. */
+  /* A tile on a plane: sets up forms; makes the cosines of a run; colours it, or adds to its colours. */
   void (*planar_start)(fc_coat *coat, const void *data);
+  void (*planar_cosines)(fc_coat *coat, const void *data);
   void (*planar_run)(fc_coat *coat, const void *data);
   /* A tile of a sphere, and a run of it. */
   void (*sphere_start)(fc_coat *coat, const void *data);
@@ -42,10 +47,11 @@ typedef struct fc_coat_layer {
 /* Up to 32 neighbouring pixels of a row. */
 typedef struct fc_coat_run {
   uint16_t row, column;
-  uint32_t bits;        /* those that the light reaches; planes: the first pixel is one of them */
+  uint32_t bits;        /* those to colour; planes: the first pixel is one of them */
+  uint32_t lit;         /* planes: those of them that the light reaches */
   uint8_t count;        /* planes: up to the last of them */
   uint32_t slow;        /* planes: those that a layer leaves to a ray */
-  uint32_t *cosine;     /* planes: Q16, of each pixel, when fc_coat.cosines says so */
+  uint32_t *cosine;     /* planes: Q16, of each pixel, when fc_coat.cosines says so; 0 where the light does not reach */
   const fc_square *square; /* planes: W.W at the row's first column */
   const uint32_t *p;    /* spheres: near / z, as fc_ball_light has it */
   const uint32_t *e;    /* ... s - h in Q24, within the light's margin */
@@ -93,6 +99,38 @@ typedef struct fc_coat_smooth {
 
 extern const fc_coat_layer fc_coat_layer_smooth;
 
+/* A form of the pixel: at the tile's first, to the next column, to the next row. */
+typedef struct fc_coat_wide {
+  int64_t at, dx, dy;
+} fc_coat_wide;
+
+/* The same modulo 2^64, of which the upper word is the value. */
+typedef struct fc_coat_form {
+  uint64_t at, dx, dy;
+} fc_coat_form;
+
+/* A texture: texel coordinates X = A / Q. */
+typedef struct fc_coat_axis {
+  fc_coat_form form; /* A in 2^less of Q's unit, below 2^29 */
+  uint8_t less;
+  uint16_t size;     /* of the image, in texels */
+} fc_coat_axis;
+
+typedef struct fc_coat_texture {
+  fc_coat_form q;    /* below 2^31 */
+  fc_coat_axis axis[2];
+  uint32_t base[3], slope[3]; /* of white, as fc_tint has them without the half, times 256 / 255 */
+  const uint8_t *texels;
+  uint16_t width;
+  bool clamp;
+  bool sure;         /* the forms hold */
+} fc_coat_texture;
+
+extern const fc_coat_layer fc_coat_layer_texture;
+
+/* Colours a pixel from its levels with FC_TINT_BITS of fraction, not rounded yet. */
+void fc_coat_put_levels(const fc_tint *tint, const uint32_t level[3], uint8_t *to);
+
 struct fc_coat {
   fc_scan *scan;
   fc_material material;
@@ -103,9 +141,12 @@ struct fc_coat {
   int16_t drop;
   uint32_t error;
   fc_coat_run run;
-  bool cosines;             /* planes: a layer makes the run's cosines, and the tile is not coloured yet */
+  bool lit;                 /* planes: the light reaches some of the tile; otherwise planar and cosine lack W's forms */
+  bool cosines;             /* planes: the run's cosines are wanted, and the tile is not coloured yet */
+  bool textured;            /* ... and a layer colours the run, what is not lit too */
   fc_coat_phong phong;
   fc_coat_smooth smooth;
+  fc_coat_texture texture;
 };
 
 /* a.b over a tile, for forms with components below 2^30 there. */

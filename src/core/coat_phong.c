@@ -97,6 +97,7 @@ static FC_COLD void planar_start(fc_coat *coat, const void *data) {
   const fc_cosine *g = coat->cosine;
   fc_sheaf d, mirrored;
   uint8_t i;
+  if (!coat->lit) return;
   start(coat, data);
   fc_coat_directions(coat->scan, &d);
   for (i = 0; i < 3; i++) {
@@ -331,4 +332,4 @@ static FC_NOINLINE void sphere_run(fc_coat *coat, const void *data) {
   }
 }
 
-const fc_coat_layer fc_coat_layer_phong FC_ROM = {&fc_coat_layers, fits, planar_start, planar_run, sphere_start, sphere_run};
+const fc_coat_layer fc_coat_layer_phong FC_ROM = {&fc_coat_layers, FC_COAT_ADDS, fits, planar_start, NULL, planar_run, sphere_start, sphere_run};

@@ -46,8 +46,7 @@ static FC_COLD void planar_start(fc_coat *coat, const void *data) {
   uint8_t i, j, shift;
   int8_t side;
   (void)data;
-  smooth->how = FC_SMOOTH_NOT;
-  if (fc_kind_of(scan->at)->weights == NULL || scan->at->group.shapes.normals == NULL) return;
+  if (!coat->lit || fc_kind_of(scan->at)->weights == NULL || scan->at->group.shapes.normals == NULL) return;
   smooth->how = FC_SMOOTH_SLOW;
   coat->cosines = true;
   if (!fc_coat_weights_set(scan, &w)) return;
@@ -139,7 +138,7 @@ static FC_HOT uint32_t cosines(const fc_coat_smooth *smooth, const fc_sheaf *she
   return faint;
 }
 
-static FC_NOINLINE void planar_run(fc_coat *coat, const void *data) {
+static FC_NOINLINE void planar_cosines(fc_coat *coat, const void *data) {
   const fc_coat_smooth *smooth = &coat->smooth;
   const fc_sheaf *w = &coat->planar->w;
   fc_coat_run *run = &coat->run;
@@ -158,4 +157,4 @@ static FC_NOINLINE void planar_run(fc_coat *coat, const void *data) {
   run->slow |= cosines(smooth, w, at, run->count, run->cosine);
 }
 
-const fc_coat_layer fc_coat_layer_smooth FC_ROM = {&fc_coat_layers, fits, planar_start, planar_run, NULL, NULL};
+const fc_coat_layer fc_coat_layer_smooth FC_ROM = {&fc_coat_layers, FC_COAT_TURNS, fits, planar_start, planar_cosines, NULL, NULL, NULL};
