@@ -104,24 +104,18 @@ typedef struct fc_coat_wide {
   int64_t at, dx, dy;
 } fc_coat_wide;
 
-/* The same modulo 2^64, of which the upper word is the value. */
-typedef struct fc_coat_form {
-  uint64_t at, dx, dy;
-} fc_coat_form;
-
 /* A texture: texel coordinates X = A / Q. */
 typedef struct fc_coat_axis {
-  fc_coat_form form; /* A in 2^less of Q's unit, below 2^29 */
-  uint8_t less;
-  uint16_t size;     /* of the image, in texels */
+  fc_coat_wide a;   /* 2^14 Q at most where it is used */
+  fc_quick inverse; /* 1 / size */
+  uint16_t size;    /* of the image, in texels */
 } fc_coat_axis;
 
 typedef struct fc_coat_texture {
-  fc_coat_form q;    /* below 2^31 */
+  fc_coat_wide q;    /* below 2^38 */
   fc_coat_axis axis[2];
   uint32_t base[3], slope[3]; /* of white, as fc_tint has them without the half, times 256 / 255 */
   const uint8_t *texels;
-  uint16_t width;
   bool clamp;
   bool sure;         /* the forms hold */
 } fc_coat_texture;

@@ -61,55 +61,18 @@ static FC_COLD void set_wide(wide_form *form, const int64_t m[3], const int64_t 
 /* v m / 2^33 / 2^down. */
 static FC_COLD int64_t scaled(int64_t v, uint32_t m, uint8_t down) { return fc_floor_shift64(fc_smul64hi(v, (int32_t)(m >> 1)), down); }
 
-static FC_COLD uint8_t bits_in_tile(const fc_scan *scan, const wide_form *f) {
-  const int64_t right = f->dx * (scan->columns - 1), down = f->dy * (scan->rows - 1);
-  return fc_bits64(fc_abs64(f->at) | fc_abs64(f->at + right) | fc_abs64(f->at + down) | fc_abs64(f->at + right + down));
-}
-
-/* v 2^(32 - cut), modulo 2^64: its upper word is v / 2^cut. */
-static uint64_t placed(int64_t v, uint8_t cut) { return cut <= 32 ? (uint64_t)v << (32 - cut) : (uint64_t)fc_floor_shift64(v, (uint8_t)(cut - 32)); }
-
-static FC_COLD void place(fc_coat_form *form, const wide_form *f, uint8_t cut) {
-  form->at = placed(f->at, cut);
-  form->dx = placed(f->dx, cut);
-  form->dy = placed(f->dy, cut);
-}
-
 /*
- * A coordinate is u = scale (m.D) / (n.D) for vectors of the tile (fc_mapping_kind.forms). In texels from the centre of the tile's texel 0 that is
- * X = A / Q, both affine in the pixel; whole images are taken out of A where the middle of the tile lies, so that what is left is short.
- * A is short of the truth by 2^-26 of what it is from the mapping's origin, at most 2^14 texels: 2^-12 of a texel.
+ * A coordinate is u = scale (m.D) / (n.D) for vectors of the tile (fc_mapping_kind.forms). In texels from the centre of texel 0 that is X = A / Q, both
+ * affine in the pixel. A is short of the truth by 2^-26 of what it is from the mapping's origin.
  */
-static FC_COLD bool set_axis(const fc_scan *scan, const wide_form *q, const wide_form *u, fc_quick scale, uint16_t size, bool clamp, uint8_t q_cut,
-                             fc_coat_axis *axis) {
-  const int32_t down = 24 - 33 - scale.e, column = scan->columns / 2, row = scan->rows / 2;
-  wide_form a;
-  uint8_t bits;
+static FC_COLD bool set_axis(const wide_form *q, const wide_form *u, fc_quick scale, uint16_t size, fc_coat_axis *axis) {
+  const int32_t down = 24 - 33 - scale.e;
   if (down < 0 || down > 60 || scale.m == 0) return false;
-  a.at = scaled(u->at, scale.m, (uint8_t)down) - fc_floor_shift64(q->at, 1);
-  a.dx = scaled(u->dx, scale.m, (uint8_t)down) - fc_floor_shift64(q->dx, 1);
-  a.dy = scaled(u->dy, scale.m, (uint8_t)down) - fc_floor_shift64(q->dy, 1);
-  {
-    const int64_t middle = a.at + a.dx * column + a.dy * row, q_middle = q->at + q->dx * column + q->dy * row;
-    int64_t whole;
-    fc_quick far;
-    if (q_middle <= 0) return false;
-    far = fc_quick_mul(fc_quick_from(fc_abs64(middle), 0), fc_quick_recip(fc_quick_from((uint64_t)q_middle, 0)));
-    whole = fc_quick_to_int(far, 0);
-    if (whole >> 14 != 0) return false;
-    if (!clamp) {
-      whole = fc_quick_to_int(fc_quick_mul(far, fc_quick_recip(fc_quick_from(size, 0))), 0) * (int64_t)size;
-      if (middle < 0) whole = -whole - size;
-      a.at -= whole * q->at; /* 15 bits and 38 */
-      a.dx -= whole * q->dx;
-      a.dy -= whole * q->dy;
-    }
-  }
-  bits = bits_in_tile(scan, &a);
-  axis->less = bits > 29 + q_cut ? (uint8_t)(bits - 29 - q_cut) : 0;
-  if (axis->less > 14) return false;
+  axis->a.at = scaled(u->at, scale.m, (uint8_t)down) - fc_floor_shift64(q->at, 1);
+  axis->a.dx = scaled(u->dx, scale.m, (uint8_t)down) - fc_floor_shift64(q->dx, 1);
+  axis->a.dy = scaled(u->dy, scale.m, (uint8_t)down) - fc_floor_shift64(q->dy, 1);
   axis->size = size;
-  place(&axis->form, &a, (uint8_t)(q_cut + axis->less));
+  axis->inverse = fc_quick_recip(fc_quick_from(size, 0));
   return true;
 }
 
@@ -123,64 +86,90 @@ static FC_COLD void planar_start(fc_coat *coat, const void *data) {
   fc_mapping_forms forms;
   int64_t d[3], step;
   wide_form q, u;
-  uint8_t i, bits, q_cut;
+  uint8_t i;
   coat->textured = coat->cosines = true;
   to->sure = false;
   open_data(data, &texture, &mapping, &kind, &image);
   (void)light_of(scan, texture.modulate != 0, to);
   to->texels = image.texels;
   to->clamp = image.clamp != 0;
-  to->width = image.width;
   if (!kind.forms(coat, &mapping, &forms)) return;
   fc_scan_direction(scan, d, &step);
   set_wide(&q, forms.n, d, step);
   q.at = fc_floor_shift64(q.at, 24);
   q.dx = fc_floor_shift64(q.dx, 24);
   q.dy = fc_floor_shift64(q.dy, 24);
-  bits = bits_in_tile(scan, &q); /* at most 38 */
-  if (bits < 31) return;
-  q_cut = (uint8_t)(bits - 31);
-  place(&to->q, &q, q_cut);
+  to->q = q;
   for (i = 0; i < 2; i++) {
     const uint16_t size = i == 0 ? image.width : image.height;
     const fc_quick scale =
         fc_quick_mul(forms.scale[i], fc_quick_from((uint64_t)size * (i == 0 ? mapping.repeat_u : mapping.repeat_v), 0));
     set_wide(&u, forms.m[i], d, step);
-    if (!set_axis(scan, &q, &u, scale, size, to->clamp, q_cut, &to->axis[i])) return;
+    if (!set_axis(&q, &u, scale, size, &to->axis[i])) return;
   }
   to->sure = true;
 }
 
-/* What find_texels follows along a row. */
+/* What finds a run's texels: X less `base` is a 2^less / q; below 2^31 and 2^29. */
 typedef struct texel_run {
-  uint64_t q, q_dx, a[2], a_dx[2];
+  uint32_t q, q_dx;
+  int32_t a[2], a_dx[2], base[2];
   uint8_t less[2];
+  bool near; /* X less base is within 8 texels */
 } texel_run;
 
 /*
- * Texel coordinates in Q16 of a run's pixels, from the tile's texel 0; returns those that are too rough. With q = Q's upper word, below 2^31, and m = q 2^up
- * normalised, r = 2^62 / m is within 2^-26; X = a 2^(less + 16) / q in Q16 is a r / 2^32 / 2^(14 - less - up). q is floored, 2^(up - 31) of itself, and X
- * below 2^(less + up - 2): together less than 2^-11 of a texel where less + 2 up <= 22; a's floor costs 2^(less + up - 15) in Q16.
+ * X in Q16 of a run's pixels, less base. q and a are rounded once and at each step: within 17 after 32 pixels. With m = q 2^up normalised, up at most 4,
+ * q is within 2^-22.9 of itself: times X, below 2^11 where it is not near, 2^-11.9 of a texel. Near ones have a reciprocal within 2^-15 and X in 2^-11;
+ * others within 2^-26. Returns those that are too rough.
  */
-static FC_HOT uint32_t find_texels(const texel_run *of, uint8_t count, int32_t *x, int32_t *y) {
-  uint64_t q = of->q, a = of->a[0], b = of->a[1];
-  const uint8_t a_less = of->less[0], b_less = of->less[1], less = a_less > b_less ? a_less : b_less;
-  uint32_t rough = 0, bit = 1;
+static FC_HOT uint32_t find_near(const texel_run *of, uint8_t count, int32_t *x, int32_t *y) {
+  uint32_t q = of->q, rough = 0, bit = 1;
+  int32_t a = of->a[0], b = of->a[1];
+  const uint32_t q_dx = of->q_dx;
+  const int32_t a_dx = of->a_dx[0], b_dx = of->a_dx[1];
+  const uint8_t a_down = (uint8_t)(16 - of->less[0]), b_down = (uint8_t)(16 - of->less[1]);
+  uint8_t up = 1;
   do {
-    const uint32_t word = (uint32_t)(q >> 32);
-    uint8_t up = 0;
-    if (word - 1 < UINT32_C(0x7fffffff)) {
-      up = fc_clz32(word);
-      if (less + up <= 14 && less + 2 * up <= 22) {
-        const uint32_t m = word << up;
-        uint32_t r = fc_recip_q31(m >> 16) << 15;
-        const int32_t e = (int32_t)(UINT32_C(1) << 30) - (int32_t)fc_mulhi32(m, r);
-        r += (uint32_t)fc_floor_shift32((int32_t)(r >> 16) * fc_floor_shift32(e, 2), 12);
-        *x = fc_floor_shift32(fc_smulhi32(fc_high_word(fc_to_i64(a)), r), (uint8_t)(14 - a_less - up));
-        *y = fc_floor_shift32(fc_smulhi32(fc_high_word(fc_to_i64(b)), r), (uint8_t)(14 - b_less - up));
-      } else {
-        rough |= bit;
-      }
+    uint32_t m = q << up;
+    int32_t r;
+    while (!(m >> 31)) {
+      if (up == 5) break;
+      m <<= 1;
+      up++;
+    }
+    while (m >> up != q) m = q << --up;
+    if (up > 4 || !(m >> 31)) {
+      rough |= bit;
+      up = 1;
+    } else {
+      /* a / 2^15 r is X 2^(31 + up - less - ...): a 2^(less + 16) / q = (a / 2^15) r 2^(less + up - 16) */
+      r = (int32_t)fc_recip_q31(m >> 16);
+      *x = fc_floor_shift32(fc_floor_shift32(a, 15) * r, (uint8_t)(a_down - up));
+      *y = fc_floor_shift32(fc_floor_shift32(b, 15) * r, (uint8_t)(b_down - up));
+    }
+    x++;
+    y++;
+    bit <<= 1;
+    q += q_dx;
+    a += a_dx;
+    b += b_dx;
+  } while (--count != 0);
+  return rough;
+}
+
+static FC_HOT uint32_t find_far(const texel_run *of, uint8_t count, int32_t *x, int32_t *y) {
+  uint32_t q = of->q, rough = 0, bit = 1;
+  int32_t a = of->a[0], b = of->a[1];
+  do {
+    const uint8_t up = fc_to_i32(q) > 0 ? fc_clz32(q) : 32;
+    if (up <= 4 && of->less[0] + up <= 14 && of->less[1] + up <= 14) {
+      const uint32_t m = q << up;
+      uint32_t r = fc_recip_q31(m >> 16) << 15; /* 2^62 / m, and a step of Newton's */
+      const int32_t e = (int32_t)(UINT32_C(1) << 30) - (int32_t)fc_mulhi32(m, r);
+      r += (uint32_t)fc_floor_shift32((int32_t)(r >> 16) * fc_floor_shift32(e, 2), 12);
+      *x = fc_floor_shift32(fc_smulhi32(a, r), (uint8_t)(14 - of->less[0] - up));
+      *y = fc_floor_shift32(fc_smulhi32(b, r), (uint8_t)(14 - of->less[1] - up));
     } else {
       rough |= bit;
     }
@@ -192,6 +181,64 @@ static FC_HOT uint32_t find_texels(const texel_run *of, uint8_t count, int32_t *
     b += of->a_dx[1];
   } while (--count != 0);
   return rough;
+}
+
+/* The word of v / 2^cut, cut -31 .. 60. */
+static int32_t short_of(int64_t v, int8_t cut) {
+  return (int32_t)(cut > 0 ? fc_floor_shift64(v + (INT64_C(1) << (cut - 1)), (uint8_t)cut) : v * (INT64_C(1) << -cut));
+}
+
+/* A form at a run's first pixel. */
+static int64_t form_at(const wide_form *f, const fc_coat_run *run) {
+  return fc_to_i64((uint64_t)f->at + fc_times((uint64_t)f->dx, run->column) + fc_times((uint64_t)f->dy, run->row));
+}
+
+/* v n for a small n. */
+static int64_t small_times(int64_t v, int32_t n) {
+  return fc_to_i64(n < 0 ? 0u - fc_times((uint64_t)v, (uint32_t)-n) : fc_times((uint64_t)v, (uint32_t)n));
+}
+
+/* Forms of a run, whose ends are seen; false when they tell too little. What X is in its middle is taken out, so that it is short. */
+static FC_NOINLINE bool start_run(const fc_coat_texture *texture, const fc_coat_run *run, texel_run *to) {
+  const int32_t steps = run->count - 1;
+  const int64_t q = form_at(&texture->q, run), last = q + small_times(texture->q.dx, steps);
+  const int64_t most = q > last ? q : last;
+  fc_quick inverse;
+  uint8_t i, bits;
+  int8_t cut;
+  if (q <= 0 || last <= 0) return false;
+  cut = (int8_t)(fc_bits64((uint64_t)most) - 31);
+  if (cut < -8) return false; /* Q's own floors */
+  to->q = (uint32_t)short_of(q, cut);
+  to->q_dx = (uint32_t)short_of(texture->q.dx, cut);
+  if (to->q >> 31 != 0) return false; /* rounded up */
+  inverse = fc_quick_recip(fc_quick_from((uint64_t)(q + last), -1));
+  to->near = true;
+  for (i = 0; i < 2; i++) {
+    const fc_coat_axis *axis = &texture->axis[i];
+    int64_t a = form_at(&axis->a, run), dx = axis->a.dx, middle = a + (small_times(dx, steps) >> 1), end;
+    const fc_quick far = fc_quick_mul(fc_quick_from(fc_abs64(middle), 0), inverse);
+    int32_t whole = fc_quick_to_int(far, 0);
+    if (whole >> 14 != 0) return false; /* 2^-26 of it are 2^-12 */
+    if (middle < 0) whole = -whole;
+    a -= small_times(q, whole); /* 38 + 15 bits */
+    dx -= small_times(texture->q.dx, whole);
+    end = a + small_times(dx, steps);
+    bits = fc_bits64(fc_abs64(a) | fc_abs64(end));
+    to->less[i] = bits > 29 + cut ? (uint8_t)(bits - 29 - cut) : 0;
+    /* X less `whole` is below 2^(less - 1) where q has 30 bits and more, and 2^3 more where up is 4 */
+    if (to->less[i] > 9) return false;
+    if (to->less[i] > 2) to->near = false;
+    to->a[i] = short_of(a, (int8_t)(cut + to->less[i]));
+    to->a_dx[i] = short_of(dx, (int8_t)(cut + to->less[i]));
+    if (!texture->clamp) {
+      /* modulo size: floor(whole / size) by a value within 2^-25, then right */
+      int32_t images = fc_quick_to_int(fc_quick_mul(fc_quick_from(fc_abs32(whole), 0), axis->inverse), 0);
+      whole -= (whole < 0 ? -images : images) * axis->size;
+    }
+    to->base[i] = whole;
+  }
+  return true;
 }
 
 /* x into 0 .. size - 1: *base, a multiple of size, follows it. */
@@ -208,31 +255,18 @@ FC_INLINE int32_t tiled(int32_t x, int32_t size, int32_t *base) {
   return x;
 }
 
-/* Two neighbours along an axis. */
-typedef struct texel_pair {
-  int32_t base;
-  uint32_t first, second;
-} texel_pair;
-
-FC_INLINE void pair_at(texel_pair *pair, int32_t x, int32_t size, bool clamp) {
-  if (clamp) {
-    pair->first = (uint32_t)(x < 0 ? 0 : x >= size ? size - 1 : x);
-    pair->second = (uint32_t)(x + 1 < 0 ? 0 : x + 1 >= size ? size - 1 : x + 1);
-  } else {
-    pair->first = (uint32_t)tiled(x, size, &pair->base);
-    pair->second = pair->first + 1 == (uint32_t)size ? 0 : pair->first + 1;
-  }
-}
-
-/* One channel of four texels: weights in Q16 that add up to 1, so 24 bits. */
-FC_INLINE uint32_t mixed(const uint8_t *const texel[4], const uint32_t weight[4], uint8_t channel) {
-  uint8_t i, v;
-  uint32_t sum = 0;
-  for (i = 0; i < 4; i++) {
-    FC_READ_ONE(&v, texel[i] + channel);
-    sum += v * weight[i];
-  }
-  return sum;
+/* A channel of four texels: weights in Q16 that add up to 1, so 24 bits. */
+FC_INLINE uint32_t mixed(const uint8_t *a, const uint8_t *b, const uint8_t *c, const uint8_t *d, uint32_t wa, uint32_t wb, uint32_t wc, uint32_t wd) {
+#ifdef FC_ROM_FAR
+  uint8_t v[4];
+  FC_READ_ONE(v, a);
+  FC_READ_ONE(v + 1, b);
+  FC_READ_ONE(v + 2, c);
+  FC_READ_ONE(v + 3, d);
+  return v[0] * wa + v[1] * wb + v[2] * wc + v[3] * wd;
+#else
+  return *a * wa + *b * wb + *c * wc + *d * wd;
+#endif
 }
 
 /* A channel of light, levels times 256 / 255, and a texel's: 17 bits, below 1.004 2^16, and 15; 2^-8 and 2^-7 of a level are cut. */
@@ -240,41 +274,54 @@ FC_INLINE uint32_t shaded(const fc_coat_texture *texture, uint8_t channel, uint3
   return ((texture->base[channel] + texture->slope[channel] * cosine) >> 15) * (texel >> 9);
 }
 
-static FC_HOT void put_texels(const fc_coat *coat, uint32_t bits, const int32_t *x, const int32_t *y, const uint32_t *cosine, uint8_t *to,
-                              uint8_t pixel_bytes) {
+static FC_HOT void put_texels(const fc_coat *coat, uint32_t bits, const int32_t base[2], const int32_t *x, const int32_t *y, const uint32_t *cosine,
+                              uint8_t *to, uint8_t pixel_bytes) {
   const fc_coat_texture *texture = &coat->texture;
   const fc_tint *tint = &coat->scan->tint;
-  const uint8_t *texels = texture->texels;
+  const int32_t width = texture->axis[0].size, height = texture->axis[1].size;
   const bool clamp = texture->clamp, plain = tint->format == FC_RGB565_BE && tint->transfer == NULL;
-  texel_pair across = {0, 0, 0}, down = {0, 0, 0};
+  const uint32_t high = UINT32_C(31) << FC_TINT_BITS; /* 31 levels; 63 and more than twice that */
+  int32_t across = -base[0], down = -base[1]; /* what makes X a column and a row */
   for (; bits != 0; bits >>= 1, x++, y++, cosine++, to += pixel_bytes) {
-    const uint8_t *texel[4];
-    uint32_t weight[4], fx, fy, v[3];
-    uint8_t i;
+    const uint8_t *a, *b, *c, *d;
+    int32_t i, j, right, below;
+    uint32_t wa, wb, wc, wd, v[3];
     if (!(bits & 1)) continue;
-    pair_at(&across, fc_floor_shift32(*x, 16), texture->axis[0].size, clamp);
-    pair_at(&down, fc_floor_shift32(*y, 16), texture->axis[1].size, clamp);
-    fx = (uint32_t)*x & 0xffffu;
-    fy = (uint32_t)*y & 0xffffu;
-    weight[3] = fx * fy >> 16;
-    weight[1] = fx - weight[3];
-    weight[2] = fy - weight[3];
-    weight[0] = 65536 - fx - weight[2];
+    wb = (uint32_t)*x & 0xffffu;
+    wc = (uint32_t)*y & 0xffffu;
+    i = fc_floor_shift32(*x, 16);
+    j = fc_floor_shift32(*y, 16);
+    if (clamp) {
+      i -= across;
+      j -= down;
+      right = i < -1 ? 0 : i >= width - 1 ? width - 1 : i + 1;
+      below = j < -1 ? 0 : j >= height - 1 ? height - 1 : j + 1;
+      i = i < 0 ? 0 : i >= width ? width - 1 : i;
+      j = j < 0 ? 0 : j >= height ? height - 1 : j;
+    } else {
+      i = tiled(i, width, &across);
+      j = tiled(j, height, &down);
+      right = i + 1 == width ? 0 : i + 1;
+      below = j + 1 == height ? 0 : j + 1;
+    }
+    wd = wb * wc >> 16;
+    wb -= wd;
+    wc -= wd;
+    wa = 65536 - wb - wc - wd;
     /* 12 + 12 bits, three bytes each */
-    texel[0] = texels + 3 * (down.first * texture->width + across.first);
-    texel[1] = texels + 3 * (down.first * texture->width + across.second);
-    texel[2] = texels + 3 * (down.second * texture->width + across.first);
-    texel[3] = texels + 3 * (down.second * texture->width + across.second);
-    for (i = 0; i < 3; i++) v[i] = shaded(texture, i, *cosine, mixed(texel, weight, i));
-    if (plain) {
+    a = texture->texels + 3 * ((uint32_t)(j * width + i));
+    b = a + 3 * (right - i);
+    below = 3 * width * (below - j);
+    c = a + below;
+    d = b + below;
+    v[0] = shaded(texture, 0, *cosine, mixed(a, b, c, d, wa, wb, wc, wd));
+    v[1] = shaded(texture, 1, *cosine, mixed(a + 1, b + 1, c + 1, d + 1, wa, wb, wc, wd));
+    v[2] = shaded(texture, 2, *cosine, mixed(a + 2, b + 2, c + 2, d + 2, wa, wb, wc, wd));
+    if (plain && v[0] < high && v[1] < 2 * high && v[2] < high) {
       const uint32_t half = UINT32_C(1) << 22;
-      uint32_t red = (v[0] + half) >> 23, green = (v[1] + half) >> 23, blue = (v[2] + half) >> 23;
-      if (red > 31) red = 31;
-      if (green > 63) green = 63;
-      if (blue > 31) blue = 31;
-      red = (red << 6 | green) << 5 | blue;
-      to[0] = (uint8_t)(red >> 8);
-      to[1] = (uint8_t)red;
+      const uint32_t packed = ((v[0] + half) >> 23 << 6 | (v[1] + half) >> 23) << 5 | (v[2] + half) >> 23;
+      to[0] = (uint8_t)(packed >> 8);
+      to[1] = (uint8_t)packed;
     } else {
       fc_coat_put_levels(tint, v, to);
     }
@@ -286,22 +333,17 @@ static FC_NOINLINE void planar_run(fc_coat *coat, const void *data) {
   fc_coat_run *run = &coat->run;
   int32_t x[32], y[32];
   texel_run at;
-  uint8_t i;
   (void)data;
   if (!texture->sure) {
     run->slow = run->bits;
     return;
   }
-  at.q = texture->q.at + fc_times(texture->q.dx, run->column) + fc_times(texture->q.dy, run->row);
-  at.q_dx = texture->q.dx;
-  for (i = 0; i < 2; i++) {
-    const fc_coat_form *form = &texture->axis[i].form;
-    at.a[i] = form->at + fc_times(form->dx, run->column) + fc_times(form->dy, run->row);
-    at.a_dx[i] = form->dx;
-    at.less[i] = texture->axis[i].less;
+  if (!start_run(texture, run, &at)) {
+    run->slow = run->bits;
+    return;
   }
-  run->slow |= run->bits & find_texels(&at, run->count, x, y);
-  put_texels(coat, run->bits & ~run->slow, x, y, run->cosine, fc_scan_pixel(coat->scan, run->row, run->column), coat->scan->pixel_bytes);
+  run->slow |= run->bits & (at.near ? find_near(&at, run->count, x, y) : find_far(&at, run->count, x, y));
+  put_texels(coat, run->bits & ~run->slow, at.base, x, y, run->cosine, fc_scan_pixel(coat->scan, run->row, run->column), coat->scan->pixel_bytes);
 }
 
 const fc_coat_layer fc_coat_layer_texture FC_ROM = {&fc_coat_layers, FC_COAT_COLOURS, fits, planar_start, NULL, planar_run, NULL, NULL};
