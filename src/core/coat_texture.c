@@ -226,9 +226,9 @@ static FC_NOINLINE bool start_run(const fc_coat_texture *texture, const fc_coat_
     end = a + small_times(dx, steps);
     bits = fc_bits64(fc_abs64(a) | fc_abs64(end));
     to->less[i] = bits > 29 + cut ? (uint8_t)(bits - 29 - cut) : 0;
-    /* X less `whole` is below 2^(less - 1) where q has 30 bits and more, and 2^3 more where up is 4 */
-    if (to->less[i] > 9) return false;
-    if (to->less[i] > 2) to->near = false;
+    /* X less `whole` is a 2^less / q, a below 2^29 */
+    if (to->less[i] > 12) return false;
+    if (to->less[i] > 4) to->near = false;
     to->a[i] = short_of(a, (int8_t)(cut + to->less[i]));
     to->a_dx[i] = short_of(dx, (int8_t)(cut + to->less[i]));
     if (!texture->clamp) {
