@@ -131,26 +131,33 @@ static FC_COLD bool fits(const fc_scan *scan, const fc_material *material) {
 enum { PLANAR_START, PLANAR_COSINES, PLANAR_RUN, SPHERE_START, SPHERE_RUN };
 
 static FC_NOINLINE void apply(fc_coat *coat, uint8_t which) {
-  uint16_t i;
-  for (i = 0; i < coat->material.layer_count; i++) {
-    fc_layer layer;
-    fc_coat_layer of;
+  uint8_t i;
+  for (i = 0; i < coat->layers; i++) {
+    const fc_coat_layer *of = &coat->layer[i];
     void (*act)(fc_coat *, const void *);
-    if (!layer_at(&coat->material, i, &layer, &of)) continue;
     switch (which) {
-      case PLANAR_START: act = of.planar_start; break;
-      case PLANAR_COSINES: act = of.planar_cosines; break;
-      case PLANAR_RUN: act = of.planar_run; break;
-      case SPHERE_START: act = of.sphere_start; break;
-      default: act = of.sphere_run; break;
+      case PLANAR_START: act = of->planar_start; break;
+      case PLANAR_COSINES: act = of->planar_cosines; break;
+      case PLANAR_RUN: act = of->planar_run; break;
+      case SPHERE_START: act = of->sphere_start; break;
+      default: act = of->sphere_run; break;
     }
-    if (act != NULL) act(coat, layer.data);
+    if (act != NULL) act(coat, coat->data[i]);
   }
 }
 
+/* Reads the layers once a tile. */
 static FC_COLD void open_coat(fc_coat *coat, fc_scan *scan) {
+  fc_material material;
+  uint16_t i;
   coat->scan = scan;
-  FC_READ_ONE(&coat->material, scan->frame->scene.materials + scan->form->material);
+  FC_READ_ONE(&material, scan->frame->scene.materials + scan->form->material);
+  coat->layers = (uint8_t)material.layer_count;
+  for (i = 0; i < material.layer_count; i++) {
+    fc_layer layer;
+    (void)layer_at(&material, i, &layer, &coat->layer[i]);
+    coat->data[i] = layer.data;
+  }
 }
 
 /* The flat surface's cosines of a run. */
@@ -230,9 +237,9 @@ static FC_COLD void planar(fc_scan *scan, const int64_t normal[3], fc_i128 k, co
   coat.run.cosine = cosine;
   coat.cosines = coat.textured = false;
   coat.smooth.how = FC_SMOOTH_NOT;
-  if (coat.lit) fc_square_set(&square, &on.w, &on.w);
   apply(&coat, PLANAR_START);
   if (!coat.lit && !coat.textured) return;
+  if (coat.lit && coat.smooth.how == FC_SMOOTH_NOT) fc_square_set(&square, &on.w, &on.w);
   if (!coat.cosines) fc_planar_colour(scan, &on, &g);
   for (row = 0; row <= scan->last_row; row++) {
     for (word = 0; row >= scan->first_row && word < scan->words; word++) {
@@ -240,7 +247,7 @@ static FC_COLD void planar(fc_scan *scan, const int64_t normal[3], fc_i128 k, co
       const uint32_t bits = coat.textured ? seen[row * scan->words + word] : lit;
       if (bits != 0) colour_run(&coat, row, (uint16_t)(32 * word), bits, lit);
     }
-    if (coat.lit) fc_square_next_row(&square);
+    if (coat.lit && coat.smooth.how == FC_SMOOTH_NOT) fc_square_next_row(&square);
   }
 }
 

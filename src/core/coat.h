@@ -127,7 +127,9 @@ void fc_coat_put_levels(const fc_tint *tint, const uint32_t level[3], uint8_t *t
 
 struct fc_coat {
   fc_scan *scan;
-  fc_material material;
+  fc_coat_layer layer[FC_LAYERS_MAX];
+  const void *data[FC_LAYERS_MAX];
+  uint8_t layers;
   const fc_planar *planar;  /* planes */
   const fc_cosine *cosine;
   const fc_ball_light *light; /* spheres */
