@@ -47,6 +47,8 @@ struct fc_ball_coat {
   /* Pixels of a row that are lit, and have been coloured: p and s - h of each; b: p less its root at `column`, and b's step. */
   void (*run)(fc_ball_coat *coat, uint16_t row, uint16_t column, uint32_t bits, const uint32_t *p, const uint32_t *e, uint32_t b,
               uint32_t b_step);
+  /* All pixels of a row's run that show the sphere, after those that are lit. */
+  void (*seen)(fc_ball_coat *coat, uint16_t row, uint16_t column, uint32_t bits, const uint32_t *p);
 };
 
 /* Draws a tile of a sphere in front of the eye; coat may be NULL. */

@@ -125,10 +125,10 @@ static FC_COLD bool fits(const fc_scan *scan, const fc_material *material) {
     roles |= coat.role;
   }
   /* what is added needs the flat normal's cosine and the tint */
-  return (roles & FC_COAT_ADDS) == 0 || roles == FC_COAT_ADDS;
+  return (roles & (FC_COAT_ADDS | FC_COAT_MIRRORS)) == 0 || roles == FC_COAT_ADDS || roles == FC_COAT_MIRRORS;
 }
 
-enum { PLANAR_START, PLANAR_COSINES, PLANAR_RUN, SPHERE_START, SPHERE_RUN };
+enum { PLANAR_START, PLANAR_COSINES, PLANAR_RUN, SPHERE_START, SPHERE_RUN, SPHERE_SEEN };
 
 static FC_NOINLINE void apply(fc_coat *coat, uint8_t which) {
   uint8_t i;
@@ -140,7 +140,8 @@ static FC_NOINLINE void apply(fc_coat *coat, uint8_t which) {
       case PLANAR_COSINES: act = of->planar_cosines; break;
       case PLANAR_RUN: act = of->planar_run; break;
       case SPHERE_START: act = of->sphere_start; break;
-      default: act = of->sphere_run; break;
+      case SPHERE_RUN: act = of->sphere_run; break;
+      default: act = of->sphere_seen; break;
     }
     if (act != NULL) act(coat, coat->data[i]);
   }
@@ -279,10 +280,20 @@ static FC_COLD void ball_run(fc_ball_coat *of, uint16_t row, uint16_t column, ui
   apply(coat, SPHERE_RUN);
 }
 
+static FC_COLD void ball_seen(fc_ball_coat *of, uint16_t row, uint16_t column, uint32_t bits, const uint32_t *p) {
+  fc_coat *coat = &((ball_coat *)of)->coat;
+  coat->run.row = row;
+  coat->run.column = column;
+  coat->run.bits = bits;
+  coat->run.p = p;
+  apply(coat, SPHERE_SEEN);
+}
+
 static FC_COLD void sphere(fc_scan *scan, const fc_placed_sphere *placed) {
   ball_coat of;
   of.calls.start = ball_start;
   of.calls.run = ball_run;
+  of.calls.seen = ball_seen;
   open_coat(&of.coat, scan);
   fc_ball_draw(scan, placed, &of.calls);
 }

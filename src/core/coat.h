@@ -25,7 +25,7 @@ struct fc_coat_kind {
 extern const fc_coat_kind fc_coat_layers;
 
 /* What a layer does with the pixels: each role at most once in a material. */
-enum { FC_COAT_ADDS = 1, FC_COAT_TURNS = 2, FC_COAT_COLOURS = 4 };
+enum { FC_COAT_ADDS = 1, FC_COAT_TURNS = 2, FC_COAT_COLOURS = 4, FC_COAT_MIRRORS = 8 };
 
 /* A tile being coloured. */
 typedef struct fc_coat fc_coat;
@@ -42,6 +42,8 @@ typedef struct fc_coat_layer {
   /* A tile of a sphere, and a run of it. */
   void (*sphere_start)(fc_coat *coat, const void *data);
   void (*sphere_run)(fc_coat *coat, const void *data);
+  /* All pixels of a run that show the sphere, lit or not, after the lit ones: run.p is theirs, run.e is not. */
+  void (*sphere_seen)(fc_coat *coat, const void *data);
 } fc_coat_layer;
 
 /* Up to 32 neighbouring pixels of a row. */
@@ -125,6 +127,27 @@ extern const fc_coat_layer fc_coat_layer_texture;
 /* Colours a pixel from its levels with FC_TINT_BITS of fraction, not rounded yet. */
 void fc_coat_put_levels(const fc_tint *tint, const uint32_t level[3], uint8_t *to);
 
+/* Mirrors: what else is in the scene. */
+#define FC_COAT_SEEN 8
+typedef struct fc_coat_seen {
+  fc_form form;
+  bool sphere;      /* or a plane */
+  int8_t (*hides)(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error); /* fc_kind.hides */
+  fc_quick inverse; /* 1 / radius or 1 / |normal| */
+} fc_coat_seen;
+
+typedef struct fc_coat_mirror {
+  fc_coat_seen seen[FC_COAT_SEEN];
+  uint8_t count;
+  uint16_t weight[3];   /* reflectance, Q15 */
+  int32_t limit;        /* the far limit in grid units, within ... ; INT32_MAX: there is none that near */
+  uint32_t limit_error;
+  fc_quick depth;       /* over p it is t */
+  fc_quick inverse;     /* 1 / radius */
+} fc_coat_mirror;
+
+extern const fc_coat_layer fc_coat_layer_mirror;
+
 struct fc_coat {
   fc_scan *scan;
   fc_coat_layer layer[FC_LAYERS_MAX];
@@ -143,6 +166,7 @@ struct fc_coat {
   fc_coat_phong phong;
   fc_coat_smooth smooth;
   fc_coat_texture texture;
+  fc_coat_mirror mirror;
 };
 
 /* a.b over a tile, for forms with components below 2^30 there. */

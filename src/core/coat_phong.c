@@ -332,4 +332,4 @@ static FC_NOINLINE void sphere_run(fc_coat *coat, const void *data) {
   }
 }
 
-const fc_coat_layer fc_coat_layer_phong FC_ROM = {&fc_coat_layers, FC_COAT_ADDS, fits, planar_start, NULL, planar_run, sphere_start, sphere_run};
+const fc_coat_layer fc_coat_layer_phong FC_ROM = {&fc_coat_layers, FC_COAT_ADDS, fits, planar_start, NULL, planar_run, sphere_start, sphere_run, NULL};

@@ -157,4 +157,4 @@ static FC_NOINLINE void planar_cosines(fc_coat *coat, const void *data) {
   run->slow |= cosines(smooth, w, at, run->count, run->cosine);
 }
 
-const fc_coat_layer fc_coat_layer_smooth FC_ROM = {&fc_coat_layers, FC_COAT_TURNS, fits, planar_start, planar_cosines, NULL, NULL, NULL};
+const fc_coat_layer fc_coat_layer_smooth FC_ROM = {&fc_coat_layers, FC_COAT_TURNS, fits, planar_start, planar_cosines, NULL, NULL, NULL, NULL};

@@ -346,4 +346,4 @@ static FC_NOINLINE void planar_run(fc_coat *coat, const void *data) {
   put_texels(coat, run->bits & ~run->slow, at.base, x, y, run->cosine, fc_scan_pixel(coat->scan, run->row, run->column), coat->scan->pixel_bytes);
 }
 
-const fc_coat_layer fc_coat_layer_texture FC_ROM = {&fc_coat_layers, FC_COAT_COLOURS, fits, planar_start, NULL, planar_run, NULL, NULL};
+const fc_coat_layer fc_coat_layer_texture FC_ROM = {&fc_coat_layers, FC_COAT_COLOURS, fits, planar_start, NULL, planar_run, NULL, NULL, NULL};

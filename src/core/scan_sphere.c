@@ -980,13 +980,14 @@ static void next_row(sphere_forms *ball, int64_t b_dy) {
 /* The same for a coat. */
 static FC_NOINLINE void light_row_coated(const fc_scan *scan, const sphere_forms *ball, fc_ball_light *light, uint16_t row, uint16_t column,
                                      uint32_t bits, const uint32_t *p, fc_ball_coat *coat) {
-  uint32_t e[32], rest;
+  uint32_t e[32], rest, lit;
   uint8_t i;
   for (i = 0, rest = bits; rest != 0; i++, rest >>= 1) e[i] = p[i];
-  bits = light_row(scan, light, row, column, bits, p, e);
-  if (bits == 0) return;
-  coat->run(coat, row, column, bits, p, e,
-            (uint32_t)(((uint64_t)ball->b + fc_times((uint64_t)ball->b_dx, column) + (UINT32_C(1) << 31)) >> 32), ball->b_step);
+  lit = light_row(scan, light, row, column, bits, p, e);
+  if (lit != 0)
+    coat->run(coat, row, column, lit, p, e,
+              (uint32_t)(((uint64_t)ball->b + fc_times((uint64_t)ball->b_dx, column) + (UINT32_C(1) << 31)) >> 32), ball->b_step);
+  coat->seen(coat, row, column, bits, p);
 }
 
 void fc_ball_draw(fc_scan *scan, const fc_placed_sphere *placed, fc_ball_coat *coat) {
