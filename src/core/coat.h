@@ -134,6 +134,7 @@ typedef struct fc_coat_seen {
   bool sphere;      /* or a plane */
   int8_t (*hides)(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error); /* fc_kind.hides */
   fc_quick inverse; /* 1 / radius or 1 / |normal| */
+  int64_t lamp;     /* planes: k - n.L, exact */
 } fc_coat_seen;
 
 typedef struct fc_coat_mirror {

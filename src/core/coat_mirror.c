@@ -62,10 +62,12 @@ static FC_COLD void start(fc_coat *coat, const void *data) {
       fc_kind_of(&cursor)->fetch(&cursor.group, i, &seen->form);
       seen->sphere = is_sphere(fc_kind_of(&cursor));
       seen->hides = fc_kind_of(&cursor)->hides;
-      if (seen->sphere)
+      if (seen->sphere) {
         seen->inverse = fc_quick_recip(fc_quick_from((uint64_t)seen->form.u.sphere.radius, 0));
-      else
+      } else {
+        seen->lamp = seen->form.u.plane.k - fc_dot(seen->form.u.plane.normal, frame->lights);
         seen->inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_dot(seen->form.u.plane.normal, seen->form.u.plane.normal), 0));
+      }
       mirror->count++;
     }
   }
@@ -85,8 +87,8 @@ static int32_t unit_of(int32_t v, fc_quick scale) {
 static int64_t dot30(const int32_t a[3], const int32_t b[3]) { return fc_to_i64(fc_dot32(a, b)); }
 
 /*
- * The mirrored ray of a pixel; false when it is not good enough. p is within 2^-22 of itself, so the point is within 2^-21.8 of its greatest coordinate and
- * 2; the normal within that over r, e; and the way, D + 2 (n.v) n, within 4 e and 2^-22.
+ * The mirrored ray of a pixel; false when it is not good enough. Each coordinate of the point is as far off as p, of itself, and 2^-25, and floors; the
+ * normal within that over r, e; and the way, D + 2 (n.v) n, within 4 e and 2^-23.
  */
 static FC_NOINLINE bool reflect(const fc_coat *coat, uint16_t row, uint16_t column, uint32_t p, path *to) {
   const fc_scan *scan = coat->scan;
@@ -94,25 +96,27 @@ static FC_NOINLINE bool reflect(const fc_coat *coat, uint16_t row, uint16_t colu
   const fc_quick t = fc_quick_mul(fc_quick_recip(fc_quick_from(p, 0)), coat->mirror.depth);
   const int32_t up = t.e + 32;
   int64_t d[3];
-  int32_t n[3], view[3], dn;
+  int32_t short_d[3], n[3], view[3], dn;
+  const uint8_t octave = (uint8_t)(31 - fc_clz32(p));
   uint32_t most = 0, bend;
   fc_quick inverse;
   uint8_t i;
-  if (31 - fc_clz32(p) < 22 + fc_bits64(coat->error) || up > 2 || up < -28) return false;
+  if (octave < 20 + fc_bits64(coat->error) || up > 2 || up < -28) return false;
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
-  inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)fc_dot(d, d), 0));
+  for (i = 0; i < 3; i++) short_d[i] = (int32_t)d[i];
+  inverse = fc_quick_rsqrt(fc_quick_from(fc_dot32(short_d, short_d), 0));
   for (i = 0; i < 3; i++) {
-    const int32_t v = fc_smulhi32((int32_t)d[i], t.m);
+    const int32_t v = fc_smulhi32(short_d[i], t.m);
     to->point[i] = up >= 0 ? v * (INT32_C(1) << up) : fc_floor_shift32(v, (uint8_t)-up);
     most |= fc_abs32(to->point[i]);
     n[i] = unit_of((int32_t)(to->point[i] - c[i]), coat->mirror.inverse); /* the sphere is in front of the eye: 31 bits */
-    view[i] = unit_of((int32_t)d[i], inverse);
+    view[i] = unit_of(short_d[i], inverse);
   }
-  to->error = (most >> 21) + 6;
+  to->error = (uint32_t)(fc_mul32(most, coat->error + 1) >> octave) + (most >> 25) + 6; /* below 2^31 2^-20 */
   /* e in Q30 */
   bend = (uint32_t)fc_quick_times(coat->mirror.inverse, to->error, 30);
   if (bend >> 17 != 0) return false;
-  to->way_error = 4 * bend + 256;
+  to->way_error = 4 * bend + 128;
   dn = (int32_t)fc_floor_shift64(dot30(n, view), 30);
   if (dn >= 0) return false; /* grazing */
   for (i = 0; i < 3; i++) to->way[i] = view[i] - (int32_t)fc_floor_shift64(fc_smul32(dn, n[i]), 29);
@@ -160,11 +164,18 @@ static FC_NOINLINE uint8_t meet_sphere(const path *ray, const fc_form *form, mee
   return at->t_error >> 20 != 0 ? MET_PERHAPS : MET;
 }
 
+/* k - n.P: 62 and 30 + 30 + 2 bits. */
+static int64_t side_of(const fc_form *plane, const int32_t point[3]) {
+  int32_t n[3];
+  uint8_t i;
+  for (i = 0; i < 3; i++) n[i] = (int32_t)plane->u.plane.normal[i];
+  return plane->u.plane.k - dot30(n, point);
+}
+
 /* A plane: the distance to it over the way's part along its normal. */
 static FC_NOINLINE uint8_t meet_plane(const path *ray, const fc_coat_seen *seen, meeting *at) {
-  const int64_t *n = seen->form.u.plane.normal;
   const int32_t *unit = seen->form.u.plane.unit;
-  const int64_t side = seen->form.u.plane.k - (n[0] * ray->point[0] + n[1] * ray->point[1] + n[2] * ray->point[2]); /* 62 and 30 + 30 + 2 bits */
+  const int64_t side = side_of(&seen->form, ray->point);
   const int32_t far = fc_quick_times(seen->inverse, side, 0), along = (int32_t)fc_floor_shift64(dot30(unit, ray->way), 30);
   const uint32_t far_error = 2 * ray->error + (fc_abs32(far) >> 24) + 2, along_error = ray->way_error + 128;
   fc_quick t;
@@ -213,8 +224,9 @@ static FC_NOINLINE bool light_at(const fc_coat *coat, const path *ray, uint8_t f
   const fc_coat_seen *seen = &mirror->seen[first];
   const int64_t *light = coat->scan->frame->lights;
   const uint32_t error = ray->error + at->t_error + part_of((uint32_t)at->t, ray->way_error) + 2;
-  int32_t point[3];
-  int64_t to[3], n[3], along;
+  int32_t point[3], to[3], n[3];
+  uint32_t to_sum = 0, n_sum = 0;
+  int64_t along;
   fc_quick value, inverse;
   uint8_t i;
   *cosine_q24 = 0;
@@ -223,26 +235,27 @@ static FC_NOINLINE bool light_at(const fc_coat *coat, const path *ray, uint8_t f
     const int64_t v = ray->point[i] + fc_floor_shift64(fc_smul32(at->t, ray->way[i]), 30);
     if (fc_abs64(v) >> 30 != 0) return false;
     point[i] = (int32_t)v;
-    to[i] = light[i] - v; /* below 2^31 */
-    n[i] = seen->sphere ? v - seen->form.u.sphere.center[i] : seen->form.u.plane.normal[i];
+    to[i] = (int32_t)(light[i] - v); /* below 2^31: sums below 2^32.6 */
+    if (fc_abs32(to[i]) >> 30 != 0) return false;
+    to_sum += fc_abs32(to[i]);
+    n[i] = (int32_t)(seen->sphere ? v - seen->form.u.sphere.center[i] : seen->form.u.plane.normal[i]);
+    if (seen->sphere && fc_abs32(n[i]) >> 30 != 0) return false;
+    n_sum += fc_abs32(n[i]);
   }
-  along = n[0] * to[0] + n[1] * to[1] + n[2] * to[2]; /* below 3 2^61 */
   if (seen->sphere) {
-    /* off by the error times the sums of both */
-    const uint64_t size = (uint64_t)(fc_small_norm1(n) + fc_small_norm1(to)) + 3 * (uint64_t)error;
-    if (fc_abs64(along) <= size * error) return false;
+    /* 30 + 30 bits, three of them; off by the error times the sums of both */
+    along = dot30(n, to);
+    if (fc_abs64(along) <= fc_mul32(n_sum, error) + fc_mul32(to_sum, error) + 3 * fc_mul32(error, error)) return false;
     if (along < 0) return true;
-    if (error > (uint32_t)(seen->form.u.sphere.radius >> 11)) return false; /* the cosine's own bound: 2^-11 */
+    if (error > (uint32_t)(seen->form.u.sphere.radius >> 10)) return false; /* the cosine's own bound: sqrt(3) 2^-10 */
     value = seen->inverse;
   } else {
     /* the ray's side, which is sure, and the light's, which is exact */
-    const int64_t lamp = seen->form.u.plane.k - fc_dot(n, light);
-    const int64_t eye = seen->form.u.plane.k - (n[0] * ray->point[0] + n[1] * ray->point[1] + n[2] * ray->point[2]);
-    if (fc_sign64(lamp) * fc_sign64(eye) <= 0) return true;
-    along = (int64_t)fc_abs64(lamp); /* = n.(P - L), as P is on the plane */
+    if (fc_sign64(seen->lamp) * fc_sign64(side_of(&seen->form, ray->point)) <= 0) return true;
+    along = (int64_t)fc_abs64(seen->lamp); /* = n.(P - L), as P is on the plane */
     value = seen->inverse;
   }
-  if ((uint64_t)error << 11 > (uint64_t)fc_small_norm1(to)) return false;
+  if (error > to_sum >> 10) return false;
   for (i = 0; i <= mirror->count; i++) {
     const fc_form *form = i < mirror->count ? &mirror->seen[i].form : coat->scan->form;
     int8_t hides;
@@ -252,7 +265,7 @@ static FC_NOINLINE bool light_at(const fc_coat *coat, const path *ray, uint8_t f
     if (hides < 0) return false;
     if (hides > 0) return true;
   }
-  inverse = fc_quick_rsqrt(fc_quick_from((uint64_t)(to[0] * to[0]) + (uint64_t)(to[1] * to[1]) + (uint64_t)(to[2] * to[2]), 0)); /* 3 2^62 */
+  inverse = fc_quick_rsqrt(fc_quick_from(fc_dot32(to, to), 0));
   value = fc_quick_mul(fc_quick_mul(fc_quick_from((uint64_t)along, 0), inverse), value);
   *cosine_q24 = (uint32_t)fc_quick_to_int(value, 24);
   if (*cosine_q24 > UINT32_C(1) << 24) *cosine_q24 = UINT32_C(1) << 24;
@@ -294,6 +307,8 @@ static FC_NOINLINE bool look(const fc_coat *coat, uint16_t row, uint16_t column,
 static FC_NOINLINE void sphere_seen(fc_coat *coat, const void *data) {
   const fc_scan *scan = coat->scan;
   const fc_coat_run *run = &coat->run;
+  const uint16_t *weight = coat->mirror.weight;
+  const bool whole = weight[0] == FC_ONE_Q15 && weight[1] == FC_ONE_Q15 && weight[2] == FC_ONE_Q15;
   uint32_t bits = run->bits;
   uint8_t i;
   (void)data;
@@ -302,8 +317,8 @@ static FC_NOINLINE void sphere_seen(fc_coat *coat, const void *data) {
     const uint16_t column = (uint16_t)(run->column + i);
     if (!(bits & 1)) continue;
     if (look(coat, run->row, column, run->p[i], seen_q39)) {
-      fc_radiance_add(radiance_q39, coat->mirror.weight, seen_q39);
-      fc_shade_put(scan->frame, radiance_q39, scan->target->format, fc_scan_pixel(scan, run->row, column));
+      if (!whole) fc_radiance_add(radiance_q39, coat->mirror.weight, seen_q39);
+      fc_shade_put(scan->frame, whole ? seen_q39 : radiance_q39, scan->target->format, fc_scan_pixel(scan, run->row, column));
     } else {
       fc_scan_shade_slowly(scan, run->row, column, 1);
     }
