@@ -141,8 +141,7 @@ typedef struct fc_coat_mirror {
   fc_coat_seen seen[FC_COAT_SEEN];
   uint8_t count;
   uint16_t weight[3];   /* reflectance, Q15 */
-  int32_t limit;        /* the far limit in grid units, within ... ; INT32_MAX: there is none that near */
-  uint32_t limit_error;
+  int64_t limit;        /* the far limit in grid units, within 2^-28; INT64_MAX: there is none that near */
   fc_quick depth;       /* over p it is t */
   fc_quick inverse;     /* 1 / radius */
 } fc_coat_mirror;

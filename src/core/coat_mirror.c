@@ -16,9 +16,9 @@ typedef struct path {
 /* Nothing is met, something is, or that is too close to tell. */
 enum { MET_NOTHING, MET, MET_PERHAPS };
 
+/* t below 2^52; its error may be INT64_MAX. */
 typedef struct meeting {
-  int32_t t;
-  uint32_t t_error;
+  int64_t t, t_error;
 } meeting;
 
 static bool is_sphere(const fc_kind *kind) { return kind->hides == fc_sphere_hides; }
@@ -71,8 +71,8 @@ static FC_COLD void start(fc_coat *coat, const void *data) {
       mirror->count++;
     }
   }
-  mirror->limit = frame->scene.far_limit == 0 ? INT32_MAX : fc_quick_to_int(limit, 0);
-  mirror->limit_error = mirror->limit == INT32_MAX ? 0 : ((uint32_t)mirror->limit >> 28) + 1;
+  /* rays go up to 2^52 */
+  mirror->limit = frame->scene.far_limit == 0 || limit.e > 20 ? INT64_MAX : (int64_t)fc_quick_to_u64(limit);
   mirror->depth = fc_quick_mul(fc_quick_from(frame->depth_near, (int32_t)(30 + coat->drop)), fc_quick_recip(fc_quick_from((uint64_t)frame->view.focal, 0)));
   mirror->inverse = fc_quick_recip(fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0));
 }
@@ -156,7 +156,7 @@ static FC_NOINLINE uint8_t meet_sphere(const path *ray, const fc_form *form, mee
   least = square - fc_to_i64(margin);
   root = fc_quick_from((uint64_t)least, 0);
   root = fc_quick_rsqrt(root);
-  at->t_error = b_error + 4 + (uint32_t)fc_quick_to_int(fc_quick_mul(root, fc_quick_from(margin, 0)), 0);
+  at->t_error = (int64_t)b_error + 4 + fc_quick_to_int(fc_quick_mul(root, fc_quick_from(margin, 0)), 0);
   root = fc_quick_mul(fc_quick_from((uint64_t)square, 0), fc_quick_rsqrt(fc_quick_from((uint64_t)square, 0)));
   b_error = (uint32_t)fc_quick_to_int(root, 0);
   at->t_error += (b_error >> 24) + 1;
@@ -178,17 +178,18 @@ static FC_NOINLINE uint8_t meet_plane(const path *ray, const fc_coat_seen *seen,
   const int64_t side = side_of(&seen->form, ray->point);
   const int32_t far = fc_quick_times(seen->inverse, side, 0), along = (int32_t)fc_floor_shift64(dot30(unit, ray->way), 30);
   const uint32_t far_error = 2 * ray->error + (fc_abs32(far) >> 24) + 2, along_error = ray->way_error + 128;
-  fc_quick t;
-  if (fc_abs32(far) <= far_error) return MET_PERHAPS;
+  fc_quick t, t_error;
+  if (fc_abs32(far) <= far_error || fc_abs32(far) == INT32_MAX) return MET_PERHAPS;
   if (fc_abs32(along) <= 2 * along_error) return MET_PERHAPS;
   if ((far < 0) != (along < 0)) return MET_NOTHING;
   t = fc_quick_mul(fc_quick_from(fc_abs32(far), 30), fc_quick_recip(fc_quick_from(fc_abs32(along), 0)));
-  at->t = fc_quick_to_int(t, 0);
   /* (far's + t along's) / |along|; twice, as that is off by half of itself at most */
-  t = fc_quick_add(fc_quick_from(far_error, 30), fc_quick_mul(t, fc_quick_from(along_error, 0)));
-  t = fc_quick_mul(t, fc_quick_recip(fc_quick_from(fc_abs32(along), -1)));
-  at->t_error = (uint32_t)fc_quick_to_int(t, 0);
-  if (at->t_error < INT32_MAX) at->t_error += 4 + ((uint32_t)at->t >> 23);
+  t_error = fc_quick_add(fc_quick_from(far_error, 30), fc_quick_mul(t, fc_quick_from(along_error, 0)));
+  t_error = fc_quick_mul(t_error, fc_quick_recip(fc_quick_from(fc_abs32(along), 1)));
+  t_error = fc_quick_scale(t_error, 2);
+  if (t.e > 20 || t_error.e > 20) return MET_PERHAPS;
+  at->t = (int64_t)fc_quick_to_u64(t);
+  at->t_error = (int64_t)fc_quick_to_u64(t_error) + (at->t >> 23) + 4;
   return MET;
 }
 
@@ -201,7 +202,7 @@ static FC_NOINLINE uint8_t meet(const fc_coat_mirror *mirror, const path *ray, u
     if (met == MET_PERHAPS) return MET_PERHAPS;
     if (met == MET_NOTHING) continue;
     if (how == MET) {
-      const int64_t apart = (int64_t)one.t - at->t, doubt = (int64_t)one.t_error + at->t_error;
+      const int64_t apart = one.t - at->t, doubt = one.t_error + at->t_error;
       if (apart <= doubt && apart >= -doubt) return MET_PERHAPS;
       if (apart > 0) continue;
     }
@@ -209,30 +210,60 @@ static FC_NOINLINE uint8_t meet(const fc_coat_mirror *mirror, const path *ray, u
     *at = one;
     *first = i;
   }
-  if (how != MET || mirror->limit == INT32_MAX) return how;
+  if (how != MET || mirror->limit == INT64_MAX) return how;
   {
-    const int64_t beyond = (int64_t)at->t - mirror->limit, doubt = (int64_t)at->t_error + mirror->limit_error + (at->t >> 22);
+    const int64_t beyond = at->t - mirror->limit, doubt = at->t_error + (mirror->limit >> 28) + (at->t >> 22) + 1;
     if (beyond > doubt) return MET_NOTHING;
     if (beyond >= -doubt) return MET_PERHAPS;
   }
   return how;
 }
 
+/* The plane where it is far away: lit when no ball comes near the line to the light. */
+static FC_NOINLINE bool light_far(const fc_coat *coat, const fc_coat_seen *seen, const int64_t point[3], int64_t error, uint32_t *cosine_q24) {
+  const fc_coat_mirror *mirror = &coat->mirror;
+  const int64_t *light = coat->scan->frame->lights;
+  path line;
+  int64_t to[3];
+  fc_quick inverse, off;
+  meeting at;
+  uint8_t i, down;
+  for (i = 0; i < 3; i++) {
+    line.point[i] = (int32_t)light[i]; /* within 2^30 */
+    to[i] = point[i] - light[i];
+  }
+  down = fc_shrink(to, to);
+  for (i = 0; i < 3; i++) line.way[i] = (int32_t)to[i];
+  inverse = fc_quick_rsqrt(fc_quick_from(fc_dot32(line.way, line.way), 0));
+  for (i = 0; i < 3; i++) line.way[i] = unit_of(line.way[i], inverse);
+  line.error = 0;
+  /* sqrt(3) of the error and a floor */
+  off = fc_quick_mul(fc_quick_from((uint64_t)(fc_floor_shift64(error, down) + 2), 31), inverse);
+  if (off.e > -12) return false; /* 2^20 in Q30: the cosine is off by less than 2^-10 of itself */
+  line.way_error = (uint32_t)fc_quick_to_u64(off) + 128;
+  for (i = 0; i < mirror->count; i++) {
+    if (&mirror->seen[i] == seen) continue;
+    if (!mirror->seen[i].sphere || meet_sphere(&line, &mirror->seen[i].form, &at) != MET_NOTHING) return false;
+  }
+  if (meet_sphere(&line, coat->scan->form, &at) != MET_NOTHING) return false;
+  inverse = fc_quick_mul(fc_quick_from(fc_abs64(seen->lamp), 0), fc_quick_scale(inverse, (int16_t)-down));
+  *cosine_q24 = (uint32_t)fc_quick_to_int(fc_quick_mul(inverse, seen->inverse), 24);
+  return *cosine_q24 <= UINT32_C(1) << 24;
+}
+
 /* The surface that is met, and how it is lit: its cosine in Q24; false when that is too close to tell. */
-static FC_NOINLINE bool light_at(const fc_coat *coat, const path *ray, uint8_t first, const meeting *at, uint32_t *cosine_q24) {
+static FC_NOINLINE bool light_near(const fc_coat *coat, const path *ray, uint8_t first, const meeting *at, uint32_t *cosine_q24) {
   const fc_coat_mirror *mirror = &coat->mirror;
   const fc_coat_seen *seen = &mirror->seen[first];
   const int64_t *light = coat->scan->frame->lights;
-  const uint32_t error = ray->error + at->t_error + part_of((uint32_t)at->t, ray->way_error) + 2;
+  const uint32_t error = (uint32_t)(ray->error + at->t_error) + part_of((uint32_t)at->t, ray->way_error) + 2;
   int32_t point[3], to[3], n[3];
   uint32_t to_sum = 0, n_sum = 0;
   int64_t along;
   fc_quick value, inverse;
   uint8_t i;
-  *cosine_q24 = 0;
-  if (error >> 19 != 0) return false;
   for (i = 0; i < 3; i++) {
-    const int64_t v = ray->point[i] + fc_floor_shift64(fc_smul32(at->t, ray->way[i]), 30);
+    const int64_t v = ray->point[i] + fc_floor_shift64(fc_smul32((int32_t)at->t, ray->way[i]), 30);
     if (fc_abs64(v) >> 30 != 0) return false;
     point[i] = (int32_t)v;
     to[i] = (int32_t)(light[i] - v); /* below 2^31: sums below 2^32.6 */
@@ -251,7 +282,6 @@ static FC_NOINLINE bool light_at(const fc_coat *coat, const path *ray, uint8_t f
     value = seen->inverse;
   } else {
     /* the ray's side, which is sure, and the light's, which is exact */
-    if (fc_sign64(seen->lamp) * fc_sign64(side_of(&seen->form, ray->point)) <= 0) return true;
     along = (int64_t)fc_abs64(seen->lamp); /* = n.(P - L), as P is on the plane */
     value = seen->inverse;
   }
@@ -270,6 +300,21 @@ static FC_NOINLINE bool light_at(const fc_coat *coat, const path *ray, uint8_t f
   *cosine_q24 = (uint32_t)fc_quick_to_int(value, 24);
   if (*cosine_q24 > UINT32_C(1) << 24) *cosine_q24 = UINT32_C(1) << 24;
   return true;
+}
+
+static FC_NOINLINE bool light_at(const fc_coat *coat, const path *ray, uint8_t first, const meeting *at, uint32_t *cosine_q24) {
+  const fc_coat_seen *seen = &coat->mirror.seen[first];
+  int64_t point[3], error;
+  uint8_t i;
+  *cosine_q24 = 0;
+  /* the ray's side is sure, and the light's exact */
+  if (!seen->sphere && fc_sign64(seen->lamp) * fc_sign64(side_of(&seen->form, ray->point)) <= 0) return true;
+  if (at->t >> 29 == 0 && at->t_error >> 19 == 0) return light_near(coat, ray, first, at, cosine_q24);
+  if (seen->sphere) return false;
+  /* below 2^52 times 2^30 */
+  error = ray->error + at->t_error + fc_smul64hi(at->t, (int32_t)ray->way_error) * 4 + 8;
+  for (i = 0; i < 3; i++) point[i] = ray->point[i] + fc_smul64hi(at->t, ray->way[i]) * 4;
+  return light_far(coat, seen, point, error, cosine_q24);
 }
 
 /* What the mirror shows at a pixel; false when only the layer can tell. */
