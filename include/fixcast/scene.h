@@ -62,7 +62,8 @@ typedef struct fc_shapes {
   uint16_t count, vertex_count;
   const fc_normal *normals; /* triangles: one a vertex, for fc_layer_smooth; or NULL */
   const fc_uv *uvs;         /* triangles: one a vertex, for fc_mapping_vertices; or NULL */
-  uint8_t cull; /* triangles: 1 when they close up and face outwards, so that back faces need not be drawn; otherwise 0 */
+  uint8_t cull; /* triangles: 1 when they close up and face outwards, so that back faces need not be drawn; 2 + m when they are one convex
+                   mesh besides, with a margin of 2^m coordinates or more, m 0..29; otherwise 0 */
 } fc_shapes;
 
 #define FC_COUNT_OF(table) ((uint16_t)(sizeof(table) / sizeof((table)[0])))
@@ -79,6 +80,10 @@ typedef struct fc_shapes {
  * outside, and no triangle passes through another. Rays meet their front faces only: a back face is hidden from any eye that is
  * outside, and costs next to nothing. An eye inside looks out through them. With exact shadows a point is taken to be outside too, so
  * that only faces turned away from a light keep it off: what goes into the mesh has to come out. */
+/* Convex ones: one closed mesh, each vertex strictly below the plane of each face that it is no corner of. Its margin, which tells from
+ * how far away that still holds when vertices are rounded, is the least of: a vertex's distance below a face, divided by 1 + the
+ * sum of the magnitudes of its barycentric weights there; a sixteenth of a face's least height. Their shadows cost a fraction: an
+ * outline stands for all faces. `fixcast bake` finds the margin. */
 #define FC_TRIANGLES_CLOSED(vertices, table) \
   { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), NULL, NULL, 1 }
 

@@ -2,6 +2,7 @@
 #include "mesh.h"
 
 #include "num.h"
+#include "outline.h"
 #include "scan.h"
 #include "scan_kinds.h"
 #include "view.h"
@@ -31,9 +32,8 @@ uint32_t fc_recip_q63(uint32_t m) {
 }
 
 size_t fc_mesh_memory(const fc_shapes *shapes) {
-  size_t bytes = sizeof(fc_placed_mesh) + (size_t)shapes->vertex_count * sizeof(fc_placed_vertex) +
-                 (size_t)shapes->count * sizeof(uint16_t) + ((size_t)shapes->count + 7) / 8;
-  return (bytes + 7) / 8 * 8;
+  const size_t bytes = fc_mesh_outline_at(shapes);
+  return (bytes + (shapes->cull >= FC_CONVEX ? fc_outline_memory(shapes) : 0) + 7) / 8 * 8;
 }
 
 /* v as m / 2^down with m in 2^31 .. 2^32-1. */
@@ -183,7 +183,7 @@ bool fc_triangle_casts(const fc_group *group, uint16_t index) {
   return fc_mesh_casts(group->memory, &group->shapes)[index / 8] >> (index % 8) & 1;
 }
 
-/* Who casts shadows: of a closed mesh, the triangles that turn away from the light. */
+/* Who casts shadows: of a closed mesh, the triangles that turn away from the light, or may. */
 static void set_casts(const fc_frame *frame, const fc_shapes *shapes, const fc_placed_vertex *vertices, uint8_t *casts) {
   uint16_t i;
   for (i = 0; i < shapes->count; i++) {
@@ -192,7 +192,7 @@ static void set_casts(const fc_frame *frame, const fc_shapes *shapes, const fc_p
     if (shapes->cull) {
       fc_triangle t;
       fc_read_triangle(shapes, i, &t);
-      may = fc_triangle_averted(vertices[t.vertex[0]].p, vertices[t.vertex[1]].p, vertices[t.vertex[2]].p, frame->lights);
+may = fc_triangle_turn(vertices[t.vertex[0]].p, vertices[t.vertex[1]].p, vertices[t.vertex[2]].p, frame->lights) <= 0;
     }
     if (may) casts[i / 8] = (uint8_t)(casts[i / 8] | 1u << (i % 8));
   }
@@ -247,6 +247,7 @@ void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *m
     *head = i;
   }
   for (i = 0; i < shapes->vertex_count; i++) see_fully(mesh, &vertices[i]);
+  if (shapes->cull >= FC_CONVEX && fc_outline_find(frame, shapes, memory)) return;
   if (frame->light == FC_LIGHT_ONE) set_casts(frame, shapes, vertices, (uint8_t *)(void *)(next + shapes->count));
 }
 

@@ -85,6 +85,13 @@ static inline const uint8_t *fc_mesh_casts(const fc_placed_mesh *mesh, const fc_
   return (const uint8_t *)(const void *)(fc_mesh_next(mesh, shapes) + shapes->count);
 }
 
+/* Where after that a convex mesh keeps its outline (outline.h). */
+static inline size_t fc_mesh_outline_at(const fc_shapes *shapes) {
+  const size_t bytes = sizeof(fc_placed_mesh) + (size_t)shapes->vertex_count * sizeof(fc_placed_vertex) +
+                       (size_t)shapes->count * sizeof(uint16_t) + ((size_t)shapes->count + 7) / 8;
+  return (bytes + 3) / 4 * 4;
+}
+
 static inline uint8_t fc_mesh_level(uint8_t level) { return (uint8_t)(64 - (64 >> level)); }
 
 /* Mantissa and exponent of a vertex's `seen`. */

@@ -308,11 +308,21 @@ FC_COLD void fc_planar_find_steps(fc_planar *planar) {
   planar->steps_known = true;
 }
 
+/* Tables that cast as a whole. */
+static FC_COLD void cast_tables(fc_scan *scan, fc_planar *planar) {
+  const fc_space space = fc_space_of_frame(scan->frame);
+  fc_cursor at;
+  fc_cursor_start(&at, &space);
+  while (fc_cursor_next(&at))
+    if (fc_kind_of(&at)->cast != NULL) fc_kind_of(&at)->cast(scan, planar, fc_kind_of(&at), &at.group);
+}
+
 /* Candidates for occluders, each asked to darken what it can. */
 static void cast_shadows(fc_scan *scan, fc_planar *planar, const int64_t *hull, uint8_t corners) {
   const bool sieve = scan->frame->scene.bvh != NULL;
-  if (!find_rectangle(scan, planar)) return;
+  if (scan->clear || !find_rectangle(scan, planar)) return;
   planar->corners_known = planar->edges_known = planar->steps_known = false;
+  cast_tables(scan, planar);
   if (corners == 0 && sieve)
     cast_from_tile(scan, planar);
   else if (!sieve || scan->columns * scan->rows < SMALL_TILE || !cast_from_part(scan, planar))

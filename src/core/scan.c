@@ -640,6 +640,7 @@ FC_COLD void fc_strip_draw(const fc_frame *frame, uint16_t y, uint16_t rows, con
   scan.at = &cursor;
   scan.strip = y;
   scan.skip = skip;
+  scan.clear = false;
   scan.pixel_bytes = target->format == FC_RGB888 ? 3 : 2;
   scan.clip_far = frame->scene.far_limit > 0;
   fc_pixel_most(drawn.format, scan.tint.most);

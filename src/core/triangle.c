@@ -3,6 +3,7 @@
 #include "fixcast/error.h"
 #include "kind.h"
 #include "mesh.h"
+#include "outline.h"
 #include "scan_kinds.h"
 #include "tally.h"
 #include "transform.h"
@@ -348,4 +349,6 @@ const fc_kind fc_kind_triangle FC_ROM = {check,
                                          NULL,
                                          fc_triangle_strip,
                                          bounds,
-                                         fc_triangle_casts};
+                                         fc_triangle_casts,
+                                         fc_outline_cast,
+                                         fc_outline_settle};
