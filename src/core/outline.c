@@ -202,17 +202,19 @@ static bool walk_next(edge_walk *walk) {
   return true;
 }
 
-/* Whether some edge of the outline has all of these directions from the light, within 15 bits, on its outer side by more than
- * `error` (fc_glance_edge). Averted faces are on the side of an edge where W.(A x B) is below 0. */
-static FC_NOINLINE bool separated(edge_walk *walk, const int16_t (*w)[3], uint8_t count, int32_t error) {
+/* Whether some edge of the outline has the receiver's four corners on its outer side. Averted faces are on the side of an edge where
+ * W.(A x B) is below 0. */
+static FC_NOINLINE bool is_apart(edge_walk *walk, const fc_planar *receiver) {
   while (walk_next(walk)) {
     int32_t n[3];
     uint8_t i;
     const uint32_t all = fc_abs32(walk->a[0]) | fc_abs32(walk->a[1]) | fc_abs32(walk->a[2]);
     if (!fc_glance_edge(walk->a, walk->b, fc_glance_shift(all), n)) continue;
-    for (i = 0; i < count; i++)
-      if (n[0] * w[i][0] + n[1] * w[i][1] + n[2] * w[i][2] <= error) break;
-    if (i == count) return true;
+    for (i = 0; i < 4; i++) {
+      const int16_t *w = receiver->corner[i];
+      if (n[0] * w[0] + n[1] * w[1] + n[2] * w[2] <= FC_GLANCE_ERROR) break;
+    }
+    if (i == 4) return true;
   }
   return false;
 }
@@ -372,7 +374,7 @@ void fc_outline_cast(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, co
     edge_walk walk;
     if (!receiver->corners_known) fc_planar_find_corners(receiver);
     walk_start(&walk, scan->frame, group, outline);
-    if (separated(&walk, (const int16_t(*)[3])receiver->corner, 4, FC_GLANCE_ERROR)) return;
+    if (is_apart(&walk, receiver)) return;
   }
   how = side_of_mesh(receiver, group, &touching);
   if (how == SIDE_CROSSES)
@@ -401,26 +403,56 @@ static bool may_shadow(void *context, const fc_cursor *at, uint16_t index) {
   return kind->between(s->frame, &form, s->frame->lights, s->center, s->radius, &window);
 }
 
-/* Whether the outlines of other tables may shadow the box. */
-static bool outlines_meet(const settling *s, const fc_space *space, const fc_kind *kind, const int64_t corners[24]) {
-  int16_t w[8][3];
+/* A mesh's placed vertices seen from the light, its outline and what brings them to 14 bits. */
+typedef struct seen_mesh {
+  const fc_group *group;
+  const fc_outline *outline;
+  uint8_t shift;
+} seen_mesh;
+
+static void see_mesh(const fc_frame *frame, const fc_group *group, const fc_outline *outline, seen_mesh *mesh) {
+  edge_walk walk;
   uint32_t all = 0;
-  uint8_t i, shift;
+  mesh->group = group;
+  mesh->outline = outline;
+  walk_start(&walk, frame, group, outline);
+  while (walk_next(&walk)) all |= fc_abs32(walk.b[0]) | fc_abs32(walk.b[1]) | fc_abs32(walk.b[2]);
+  mesh->shift = all >> 14 == 0 ? 0 : (uint8_t)(18 - fc_clz32(all));
+}
+
+/* Whether an edge of one outline has the whole other one on its outer side: both are convex, so if any line parts them, an edge of
+ * the one or of the other does. */
+static bool parted(const fc_frame *frame, const seen_mesh *by, const seen_mesh *other) {
+  /* as for W, but off by up to 1 instead of 3/4: 147515 + 3 * 2^15 */
+  const int32_t error = 246000;
+  edge_walk edges, walk;
+  walk_start(&edges, frame, by->group, by->outline);
+  while (walk_next(&edges)) {
+    const uint32_t all = fc_abs32(edges.a[0]) | fc_abs32(edges.a[1]) | fc_abs32(edges.a[2]);
+    int32_t n[3];
+    bool outer = true;
+    if (!fc_glance_edge(edges.a, edges.b, fc_glance_shift(all), n)) continue;
+    walk_start(&walk, frame, other->group, other->outline);
+    while (outer && walk_next(&walk)) /* 15 bits each, three terms */
+      outer = n[0] * fc_floor_shift32(walk.b[0], other->shift) + n[1] * fc_floor_shift32(walk.b[1], other->shift) +
+                  n[2] * fc_floor_shift32(walk.b[2], other->shift) > error;
+    if (outer) return true;
+  }
+  return false;
+}
+
+/* Whether other outlines may shadow a table's. */
+static bool outlines_meet(const fc_frame *frame, const fc_group *group, const fc_outline *outline) {
+  const fc_space space = fc_space_of_frame(frame);
+  seen_mesh own, other;
   fc_cursor at;
-  for (i = 0; i < 24; i++) all |= fc_abs32((int32_t)(corners[i] - s->frame->lights[i % 3])); /* 30 bits each */
-  shift = all >> 14 == 0 ? 0 : (uint8_t)(18 - fc_clz32(all));
-  for (i = 0; i < 24; i++)
-    w[i / 3][i % 3] = (int16_t)fc_floor_shift32((int32_t)(corners[i] - s->frame->lights[i % 3]), shift);
-  fc_cursor_start(&at, space);
+  see_mesh(frame, group, outline, &own);
+  fc_cursor_start(&at, &space);
   while (fc_cursor_next(&at)) {
-    const fc_outline *outline;
-    edge_walk walk;
-    if (at.group.shapes.kind != kind || at.group.first == s->own) continue;
-    outline = known_outline(&at.group);
-    if (outline == NULL) continue;
-    walk_start(&walk, s->frame, &at.group, outline);
-    /* as for W, but off by up to 1 instead of 3/4: 147515 + 3 * 2^15 */
-    if (!separated(&walk, (const int16_t(*)[3])w, 8, 246000)) return true;
+    if (at.group.shapes.kind != group->shapes.kind || at.group.first == group->first) continue;
+    if (known_outline(&at.group) == NULL) continue;
+    see_mesh(frame, &at.group, known_outline(&at.group), &other);
+    if (!parted(frame, &own, &other) && !parted(frame, &other, &own)) return true;
   }
   return false;
 }
@@ -450,5 +482,5 @@ void fc_outline_settle(const fc_frame *frame, const fc_group *group) {
   reach.corners = 8;
   reach.radius = 0;
   reach.limited = false;
-  outline->clear = !fc_space_search(&space, &reach, may_shadow, &s) && !outlines_meet(&s, &space, group->shapes.kind, corners);
+  outline->clear = !fc_space_search(&space, &reach, may_shadow, &s) && !outlines_meet(frame, group, outline);
 }
