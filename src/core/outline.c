@@ -1,31 +1,48 @@
-/* Outlines of convex meshes seen from the light, and the shadows that they bound. */
-#include "outline.h"
-
+/*
+ * The shadow of a convex mesh, as a whole: the cone from the light over its outline.
+ *
+ * Seen from a light outside, the averted faces of a convex mesh cover it once, and their border is a convex polygon. A line
+ * from the light meets one of them iff it passes inside every edge of that polygon; so some thirty edges stand for hundreds of faces,
+ * which then cast nothing on their own. A face that faces the light is not shadowed by its own mesh at all.
+ *
+ * Convex is what the mesh must be in camera space, after vertices are rounded: the author's margin (fc_shapes.cull) says whether it is.
+ */
 #include "facet.h"
+#include "mesh.h"
+#include "planar.h"
 #include "scan_kinds.h"
 #include "search.h"
 #include "segment.h"
 #include "triangle_shadow.h"
 
-static fc_outline *outline_of(const void *memory, const fc_shapes *shapes) {
-  return (fc_outline *)(void *)((unsigned char *)(uintptr_t)memory + fc_mesh_outline_at(shapes));
+/* fc_shapes.cull of a margin of 1. */
+#define CONVEX 2
+
+/* In the mesh's memory, followed by a number a vertex: those before and after it on the outline, xor; 0 off the outline. */
+typedef struct outline {
+  int32_t low[3], high[3]; /* a box around the faces that face the light; none: low > high */
+  uint16_t edge[2];        /* an edge of the outline, as an averted face runs along it */
+  uint8_t known;           /* 0: the faces cast one by one */
+  uint8_t clear;           /* nothing keeps the light from what faces it */
+  uint8_t unused[2];
+} outline;
+
+static outline *outline_of(const void *memory, const fc_shapes *shapes) {
+  return (outline *)(void *)((unsigned char *)(uintptr_t)memory + fc_mesh_bytes(shapes));
 }
 
 /* What a table's memory holds of a convex mesh whose outline is known; NULL otherwise. */
-static const fc_outline *known_outline(const fc_group *group) {
-  const fc_outline *outline;
-  if (group->shapes.cull < FC_CONVEX) return NULL;
-  outline = outline_of(group->memory, &group->shapes);
-  return outline->known ? outline : NULL;
+static const outline *known_outline(const fc_group *group) {
+  const outline *line;
+  if (group->shapes.kind != &fc_kind_convex) return NULL;
+  line = outline_of(group->memory, &group->shapes);
+  return line->known ? line : NULL;
 }
 
-static uint16_t *links_of(const fc_outline *outline) { return (uint16_t *)(uintptr_t)(outline + 1); }
+static uint16_t *links_of(const outline *line) { return (uint16_t *)(uintptr_t)(line + 1); }
 
-size_t fc_outline_memory(const fc_shapes *shapes) { return sizeof(fc_outline) + (size_t)shapes->vertex_count * sizeof(uint16_t); }
-
-bool fc_outline_is_clear(const fc_group *group) {
-  const fc_outline *outline = known_outline(group);
-  return outline != NULL && outline->clear;
+size_t fc_convex_memory(const fc_shapes *shapes) {
+  return (fc_mesh_bytes(shapes) + sizeof(outline) + (size_t)shapes->vertex_count * sizeof(uint16_t) + 7) / 8 * 8;
 }
 
 /* ---- finding it ---- */
@@ -38,7 +55,7 @@ bool fc_outline_is_clear(const fc_group *group) {
  * seen along its normal is then 0.97 of itself at least, and 0.97 > 0.87.
  */
 static bool stays_convex(const fc_frame *frame, const fc_shapes *shapes) {
-  return shapes->cull - FC_CONVEX + frame->view.fine - frame->view.shift >= 0;
+  return shapes->cull >= CONVEX && shapes->cull - CONVEX + frame->view.fine - frame->view.shift >= 0;
 }
 
 /* Whether the light is strictly behind a face, exactly. Light and vertices within 2^30. */
@@ -56,11 +73,11 @@ static FC_NOINLINE bool averted(const int32_t a[3], const int32_t b[3], const in
   return fc_i128_sign(fc_i128_dot(n, at)) < 0;
 }
 
-static void include(fc_outline *outline, const int32_t p[3]) {
+static void include(outline *line, const int32_t p[3]) {
   uint8_t j;
   for (j = 0; j < 3; j++) {
-    if (p[j] < outline->low[j]) outline->low[j] = p[j];
-    if (p[j] > outline->high[j]) outline->high[j] = p[j];
+    if (p[j] < line->low[j]) line->low[j] = p[j];
+    if (p[j] > line->high[j]) line->high[j] = p[j];
   }
 }
 
@@ -68,13 +85,13 @@ static bool is_averted(const uint8_t *casts, uint16_t i) { return casts[i / 8] >
 
 /* Sets the bits of averted faces, and the links: each edge between two averted faces is counted twice, which leaves nothing. */
 static void sort_faces(const fc_frame *frame, const fc_shapes *shapes, const fc_placed_vertex *vertices, uint8_t *casts,
-                       fc_outline *outline) {
-  uint16_t *link = links_of(outline), i;
+                       outline *line) {
+  uint16_t *link = links_of(line), i;
   uint8_t j;
   for (i = 0; i < shapes->vertex_count; i++) link[i] = 0;
   for (j = 0; j < 3; j++) {
-    outline->low[j] = INT32_MAX;
-    outline->high[j] = INT32_MIN;
+    line->low[j] = INT32_MAX;
+    line->high[j] = INT32_MIN;
   }
   for (i = 0; i < shapes->count; i++) {
     fc_triangle copy;
@@ -87,9 +104,9 @@ static void sort_faces(const fc_frame *frame, const fc_shapes *shapes, const fc_
       link[c] = (uint16_t)(link[c] ^ a ^ b);
       casts[i / 8] = (uint8_t)(casts[i / 8] | 1u << (i % 8));
     } else {
-      include(outline, vertices[a].p);
-      include(outline, vertices[b].p);
-      include(outline, vertices[c].p);
+      include(line, vertices[a].p);
+      include(line, vertices[b].p);
+      include(line, vertices[c].p);
     }
   }
 }
@@ -109,8 +126,8 @@ static bool runs(const fc_shapes *shapes, const uint8_t *casts, uint16_t a, uint
 }
 
 /* An edge between an averted face and one that is not. */
-static bool find_edge(const fc_shapes *shapes, const uint8_t *casts, fc_outline *outline) {
-  const uint16_t *link = links_of(outline);
+static bool find_edge(const fc_shapes *shapes, const uint8_t *casts, outline *line) {
+  const uint16_t *link = links_of(line);
   uint16_t i;
   uint8_t j;
   for (i = 0; i < shapes->count; i++) {
@@ -120,8 +137,8 @@ static bool find_edge(const fc_shapes *shapes, const uint8_t *casts, fc_outline 
     for (j = 0; j < 3; j++) {
       const uint16_t a = t->vertex[j], b = t->vertex[j == 2 ? 0 : j + 1];
       if (link[a] == 0 || link[b] == 0 || runs(shapes, casts, b, a)) continue;
-      outline->edge[0] = a;
-      outline->edge[1] = b;
+      line->edge[0] = a;
+      line->edge[1] = b;
       return true;
     }
   }
@@ -132,31 +149,44 @@ static bool find_edge(const fc_shapes *shapes, const uint8_t *casts, fc_outline 
 static uint16_t follow(const uint16_t *link, uint16_t before, uint16_t at) { return link[at] ^ before; }
 
 /* Whether the links make one round of all vertices that have one: what a convex mesh gives, and what keeps others from harm. */
-static bool is_round(const fc_outline *outline, uint16_t vertices) {
-  const uint16_t *link = links_of(outline);
-  uint16_t before = outline->edge[0], at = outline->edge[1], steps = 0, all = 0, i;
+static bool is_round(const outline *line, uint16_t vertices) {
+  const uint16_t *link = links_of(line);
+  uint16_t before = line->edge[0], at = line->edge[1], steps = 0, all = 0, i;
   for (i = 0; i < vertices; i++) all = (uint16_t)(all + (link[i] != 0));
   do {
     const uint16_t after = follow(link, before, at);
     if (after >= vertices || link[after] == 0 || ++steps > all) return false;
     before = at;
     at = after;
-  } while (before != outline->edge[0] || at != outline->edge[1]);
+  } while (before != line->edge[0] || at != line->edge[1]);
   return steps == all && all >= 3;
 }
 
-bool fc_outline_find(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
+/* Finds the outline of a projected mesh and clears its casting bits; false when faces have to cast one by one. */
+static bool find_outline(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
   const fc_placed_mesh *mesh = memory;
-  uint8_t *casts = (uint8_t *)(uintptr_t)fc_mesh_casts(mesh, shapes);
-  fc_outline *outline = outline_of(memory, shapes);
+  uint8_t *casts = (uint8_t *)memory + (fc_mesh_casts(mesh, shapes) - (const uint8_t *)memory);
+  outline *line = outline_of(memory, shapes);
   size_t i;
-  outline->known = outline->clear = 0;
+  line->known = line->clear = 0;
   if (frame->light != FC_LIGHT_ONE || !stays_convex(frame, shapes)) return false;
-  sort_faces(frame, shapes, fc_mesh_vertices(mesh), casts, outline);
-  if (!find_edge(shapes, casts, outline) || !is_round(outline, shapes->vertex_count)) return false;
+  sort_faces(frame, shapes, fc_mesh_vertices(mesh), casts, line);
+  if (!find_edge(shapes, casts, line) || !is_round(line, shapes->vertex_count)) return false;
   for (i = 0; i < ((size_t)shapes->count + 7) / 8; i++) casts[i] = 0;
-  outline->known = 1;
+  line->known = 1;
   return true;
+}
+
+void fc_convex_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
+  fc_mesh_project(frame, shapes, memory);
+  if (!find_outline(frame, shapes, memory)) fc_mesh_set_casts(frame, shapes, memory);
+}
+
+void fc_convex_strip(fc_scan *scan, uint16_t rows) {
+  const outline *line = known_outline(&scan->at->group);
+  scan->clear = line != NULL && line->clear;
+  fc_triangle_strip(scan, rows);
+  scan->clear = false;
 }
 
 /* ---- a walk along it ---- */
@@ -178,13 +208,13 @@ static void relative(const edge_walk *walk, uint16_t vertex, int32_t to[3]) {
   to[2] = p[2] - walk->light[2];
 }
 
-static void walk_start(edge_walk *walk, const fc_frame *frame, const fc_group *group, const fc_outline *outline) {
+static void walk_start(edge_walk *walk, const fc_frame *frame, const fc_group *group, const outline *line) {
   uint8_t j;
-  walk->link = links_of(outline);
+  walk->link = links_of(line);
   walk->vertices = fc_mesh_vertices(group->memory);
   for (j = 0; j < 3; j++) walk->light[j] = (int32_t)frame->lights[j];
-  walk->before = outline->edge[0];
-  walk->at = walk->first = outline->edge[1];
+  walk->before = line->edge[0];
+  walk->at = walk->first = line->edge[1];
   walk->begun = false;
   relative(walk, walk->at, walk->b);
 }
@@ -226,12 +256,19 @@ typedef struct outline_rows {
   uint16_t first[FC_SCAN_ROWS], last[FC_SCAN_ROWS], inner_first[FC_SCAN_ROWS], inner_last[FC_SCAN_ROWS]; /* last: one beyond */
 } outline_rows;
 
-static void cut_row(const fc_shadow_edge *edge, int32_t at, int32_t bound, uint16_t columns, uint16_t *first, uint16_t *end) {
-  int32_t from = *first, to = *end - 1;
-  if (from > to) return;
-  fc_facet_cut(at, edge->dx, bound, columns, &from, &to);
-  *first = (uint16_t)from;
-  *end = (uint16_t)(to < from ? from : to + 1);
+/* Cuts columns first .. end - 1 to the inner side of an edge, and inner_first .. inner_end - 1 to where that is certain: mostly the same,
+ * so that is looked for from there. */
+static void cut_row(const fc_shadow_edge *edge, int32_t at, uint16_t columns, outline_rows *rows, uint16_t row) {
+  int32_t from = rows->first[row], to = rows->last[row] - 1, inner_from = rows->inner_first[row], inner_to = rows->inner_last[row] - 1;
+  fc_facet_cut(at, edge->dx, 0, columns, &from, &to);
+  if (inner_from < from) inner_from = from;
+  if (inner_to > to) inner_to = to;
+  while (inner_from <= inner_to && at + edge->dx * inner_from < edge->certain) inner_from++;
+  while (inner_from <= inner_to && at + edge->dx * inner_to < edge->certain) inner_to--;
+  rows->first[row] = (uint16_t)from;
+  rows->last[row] = (uint16_t)(to < from ? from : to + 1);
+  rows->inner_first[row] = (uint16_t)inner_from;
+  rows->inner_last[row] = (uint16_t)(inner_to < inner_from ? inner_from : inner_to + 1);
 }
 
 /* Cuts the rows to one side of an edge; false when nothing is left of them. */
@@ -242,8 +279,13 @@ static FC_NOINLINE bool cut_rows(const fc_scan *scan, const fc_shadow_edge *edge
   if (at + (right < 0 ? right : 0) + (down < 0 ? down : 0) >= edge->certain) return true;
   for (row = 0; row <= scan->last_row; row++, at += edge->dy) {
     if (row < scan->first_row || rows->first[row] >= rows->last[row]) continue;
-    cut_row(edge, at, 0, scan->columns, &rows->first[row], &rows->last[row]);
-    cut_row(edge, at, edge->certain, scan->columns, &rows->inner_first[row], &rows->inner_last[row]);
+    /* a row on one side of the edge needs no search */
+    if (at + (right > 0 ? right : 0) < 0) {
+      rows->last[row] = rows->inner_last[row] = rows->first[row];
+      rows->inner_first[row] = rows->first[row];
+    } else if (at + (right < 0 ? right : 0) < edge->certain) {
+      cut_row(edge, at, scan->columns, rows, row);
+    }
     if (rows->first[row] < rows->last[row]) any = true;
   }
   return any;
@@ -344,7 +386,7 @@ static FC_NOINLINE bool find_rows(const fc_scan *scan, const fc_planar *receiver
   uint16_t row;
   for (row = 0; row < FC_SCAN_ROWS; row++) {
     rows->first[row] = rows->inner_first[row] = 0;
-    rows->last[row] = rows->inner_last[row] = scan->columns;
+    rows->last[row] = rows->inner_last[row] = row >= receiver->top && row <= receiver->bottom ? scan->columns : 0;
   }
   while (walk_next(walk)) {
     fc_shadow_edge edge;
@@ -354,33 +396,33 @@ static FC_NOINLINE bool find_rows(const fc_scan *scan, const fc_planar *receiver
 }
 
 static FC_NOINLINE void cast_cone(fc_scan *scan, const fc_planar *receiver, const fc_kind *kind, const fc_group *group,
-                                  const fc_outline *outline, const int32_t *touching) {
+                                  const outline *line, const int32_t *touching) {
   outline_rows rows;
   edge_walk walk;
   uint32_t *word = NULL, bit = 0;
-  walk_start(&walk, scan->frame, group, outline);
+  walk_start(&walk, scan->frame, group, line);
   if (!find_rows(scan, receiver, &walk, &rows)) return;
   if (touching != NULL) spare(scan, touching, &word, &bit);
   darken_rows(scan, &rows, kind, group);
   if (word != NULL) *word |= bit;
 }
 
-void fc_outline_cast(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_group *group) {
-  const fc_outline *outline = known_outline(group);
+void fc_convex_cast(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_group *group) {
+  const outline *line = known_outline(group);
   uint16_t touching = 0;
   uint8_t how;
-  if (outline == NULL || group->first == scan->at->group.first) return; /* light is what falls on faces that face it */
+  if (line == NULL || group->first == scan->at->group.first) return; /* light is what falls on faces that face it */
   if (receiver->w.error >> 14 == 0) {
     edge_walk walk;
     if (!receiver->corners_known) fc_planar_find_corners(receiver);
-    walk_start(&walk, scan->frame, group, outline);
+    walk_start(&walk, scan->frame, group, line);
     if (is_apart(&walk, receiver)) return;
   }
   how = side_of_mesh(receiver, group, &touching);
   if (how == SIDE_CROSSES)
     cast_each(scan, receiver, kind, group);
   else
-    cast_cone(scan, receiver, kind, group, outline,
+    cast_cone(scan, receiver, kind, group, line,
               how == SIDE_TOUCHES ? fc_mesh_vertices(group->memory)[touching].p : NULL);
 }
 
@@ -406,16 +448,16 @@ static bool may_shadow(void *context, const fc_cursor *at, uint16_t index) {
 /* A mesh's placed vertices seen from the light, its outline and what brings them to 14 bits. */
 typedef struct seen_mesh {
   const fc_group *group;
-  const fc_outline *outline;
+  const outline *line;
   uint8_t shift;
 } seen_mesh;
 
-static void see_mesh(const fc_frame *frame, const fc_group *group, const fc_outline *outline, seen_mesh *mesh) {
+static void see_mesh(const fc_frame *frame, const fc_group *group, const outline *line, seen_mesh *mesh) {
   edge_walk walk;
   uint32_t all = 0;
   mesh->group = group;
-  mesh->outline = outline;
-  walk_start(&walk, frame, group, outline);
+  mesh->line = line;
+  walk_start(&walk, frame, group, line);
   while (walk_next(&walk)) all |= fc_abs32(walk.b[0]) | fc_abs32(walk.b[1]) | fc_abs32(walk.b[2]);
   mesh->shift = all >> 14 == 0 ? 0 : (uint8_t)(18 - fc_clz32(all));
 }
@@ -426,13 +468,13 @@ static bool parted(const fc_frame *frame, const seen_mesh *by, const seen_mesh *
   /* as for W, but off by up to 1 instead of 3/4: 147515 + 3 * 2^15 */
   const int32_t error = 246000;
   edge_walk edges, walk;
-  walk_start(&edges, frame, by->group, by->outline);
+  walk_start(&edges, frame, by->group, by->line);
   while (walk_next(&edges)) {
     const uint32_t all = fc_abs32(edges.a[0]) | fc_abs32(edges.a[1]) | fc_abs32(edges.a[2]);
     int32_t n[3];
     bool outer = true;
     if (!fc_glance_edge(edges.a, edges.b, fc_glance_shift(all), n)) continue;
-    walk_start(&walk, frame, other->group, other->outline);
+    walk_start(&walk, frame, other->group, other->line);
     while (outer && walk_next(&walk)) /* 15 bits each, three terms */
       outer = n[0] * fc_floor_shift32(walk.b[0], other->shift) + n[1] * fc_floor_shift32(walk.b[1], other->shift) +
                   n[2] * fc_floor_shift32(walk.b[2], other->shift) > error;
@@ -442,11 +484,11 @@ static bool parted(const fc_frame *frame, const seen_mesh *by, const seen_mesh *
 }
 
 /* Whether other outlines may shadow a table's. */
-static bool outlines_meet(const fc_frame *frame, const fc_group *group, const fc_outline *outline) {
+static bool outlines_meet(const fc_frame *frame, const fc_group *group, const outline *line) {
   const fc_space space = fc_space_of_frame(frame);
   seen_mesh own, other;
   fc_cursor at;
-  see_mesh(frame, group, outline, &own);
+  see_mesh(frame, group, line, &own);
   fc_cursor_start(&at, &space);
   while (fc_cursor_next(&at)) {
     if (at.group.shapes.kind != group->shapes.kind || at.group.first == group->first) continue;
@@ -457,22 +499,22 @@ static bool outlines_meet(const fc_frame *frame, const fc_group *group, const fc
   return false;
 }
 
-void fc_outline_settle(const fc_frame *frame, const fc_group *group) {
-  fc_outline *outline = (fc_outline *)(uintptr_t)known_outline(group);
+void fc_convex_settle(const fc_frame *frame, const fc_group *group) {
+  outline *line = (outline *)(uintptr_t)known_outline(group);
   fc_space space = fc_space_of_frame(frame);
   int64_t corners[24];
   uint64_t square = 0;
   settling s;
   fc_reach reach;
   uint8_t i;
-  if (outline == NULL) return;
+  if (line == NULL) return;
   s.frame = frame;
   s.own = group->first;
-  for (i = 0; i < 24; i++) corners[i] = (i / 3) >> (i % 3) & 1 ? outline->high[i % 3] : outline->low[i % 3];
+  for (i = 0; i < 24; i++) corners[i] = (i / 3) >> (i % 3) & 1 ? line->high[i % 3] : line->low[i % 3];
   for (i = 0; i < 3; i++) {
     /* 31 bits, halved: below 2^60 */
-    const int64_t side = ((int64_t)outline->high[i] - outline->low[i]) / 2 + 1;
-    s.center[i] = ((int64_t)outline->high[i] + outline->low[i]) / 2;
+    const int64_t side = ((int64_t)line->high[i] - line->low[i]) / 2 + 1;
+    s.center[i] = ((int64_t)line->high[i] + line->low[i]) / 2;
     square += (uint64_t)(side * side);
   }
   s.radius = (int64_t)fc_sqrt64(square) + 1;
@@ -482,5 +524,5 @@ void fc_outline_settle(const fc_frame *frame, const fc_group *group) {
   reach.corners = 8;
   reach.radius = 0;
   reach.limited = false;
-  outline->clear = !fc_space_search(&space, &reach, may_shadow, &s) && !outlines_meet(frame, group, outline);
+  line->clear = !fc_space_search(&space, &reach, may_shadow, &s) && !outlines_meet(frame, group, line);
 }

@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "facet.h"
-#include "outline.h"
 #include "planar.h"
 #include "scan_kinds.h"
 
@@ -736,7 +735,6 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
   }
   brush.form.u.triangle.hidden = group->shapes.cull ? -1 : 0;
   scan->form = &brush.form;
-  scan->clear = fc_outline_is_clear(group);
   fc_bin_start(&walk, group, scan->strip, (uint16_t)(scan->strip + rows - 1));
   while ((scan->index = fc_bin_next(&walk)) != FC_BIN_END) {
     fc_triangle copy;
@@ -747,7 +745,6 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
     brush.form.object = item->object;
     draw_item(&brush, mesh, item, rows);
   }
-  scan->clear = false;
 }
 
 bool fc_triangle_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],

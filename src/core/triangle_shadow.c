@@ -320,9 +320,9 @@ void fc_triangle_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind,
     a[1][j] = (int32_t)form->u.triangle.vertex[1][j] - light;
     a[2][j] = (int32_t)form->u.triangle.vertex[2][j] - light;
   }
-  if (receiver->w.error >> 14 == 0 && fc_shadow_is_clear(scan, receiver, (const int32_t(*)[3])a, form->u.triangle.hidden)) return;
-  sides = sides_of(receiver, form);
+  sides = sides_of(receiver, form); /* a plane cut into triangles is no shadow on itself */
   if (!(sides & 1)) return;
+  if (receiver->w.error >> 14 == 0 && fc_shadow_is_clear(scan, receiver, (const int32_t(*)[3])a, form->u.triangle.hidden)) return;
   for (i = 0; i < 3; i++) {
     int64_t wide[3];
     cross(a[i], a[next(i)], wide);
