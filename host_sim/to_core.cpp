@@ -460,7 +460,8 @@ private:
     add_table(&fc_kind_sphere, out_.spheres);
     add_table(&fc_kind_plane, out_.planes);
     for (const TriangleTable &table : out_.triangle_tables)
-      out_.shapes.push_back({table.cull > 1 ? &fc_kind_convex : &fc_kind_triangle, out_.triangles.data() + table.triangle, out_.vertices.data() + table.vertex,
+      out_.shapes.push_back({table.cull > 1 ? &fc_kind_convex : &fc_kind_triangle, out_.triangles.data() + table.triangle,
+                             out_.vertices.data() + table.vertex,
                              static_cast<std::uint16_t>(table.triangles), static_cast<std::uint16_t>(table.vertices),
                              out_.normals.empty() ? nullptr : out_.normals.data() + table.vertex,
                              out_.uvs.empty() ? nullptr : out_.uvs.data() + table.vertex,
