@@ -165,7 +165,7 @@ typedef struct planar_work {
   int64_t hull[6 * HULL_ROWS];
 } planar_work;
 
-typedef char work_fits[sizeof(planar_work) <= FC_SCAN_WORK * sizeof(int64_t) ? 1 : -1];
+typedef char planar_work_fits[sizeof(planar_work) <= FC_SCAN_WORK * sizeof(int64_t) ? 1 : -1];
 
 static FC_COLD bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
   fc_scan *scan = context;
@@ -222,7 +222,7 @@ static FC_COLD bool find_rectangle(const fc_scan *scan, fc_planar *planar) {
 
 /* The corners of a tile's rectangle on the plane; false where one lies beyond the horizon, or too far away. Lines of pixels are
  * lines on the plane, so hulls are hulls. */
-static FC_COLD bool find_corners(const fc_scan *scan, const fc_planar *planar, int64_t points[12]) {
+static FC_COLD bool find_hull_corners(const fc_scan *scan, const fc_planar *planar, int64_t points[12]) {
   uint8_t i;
   for (i = 0; i < 4; i++)
     if (!foot(scan, planar, i & 1 ? planar->top : planar->bottom, i & 2 ? planar->left : planar->right, points + 3 * i)) return false;
@@ -262,7 +262,7 @@ static FC_COLD void cast_from_tile(fc_scan *scan, planar_work *work) {
   const fc_planar *planar = &work->planar;
   uint16_t row;
   bool far = false;
-  if (find_corners(scan, planar, work->hull)) {
+  if (find_hull_corners(scan, planar, work->hull)) {
     cast_from(scan, work, work->hull, 4, 1); /* corners are rounded */
     return;
   }
@@ -329,12 +329,22 @@ FC_COLD void fc_planar_find_steps(fc_planar *planar) {
   planar->steps_known = true;
 }
 
+/* Tables that cast as a whole. */
+static FC_COLD void cast_tables(fc_scan *scan, fc_planar *planar) {
+  const fc_space space = fc_space_of_frame(scan->frame);
+  fc_cursor at;
+  fc_cursor_start(&at, &space);
+  while (fc_cursor_next(&at))
+    if (fc_kind_of(&at)->cast != NULL) fc_kind_of(&at)->cast(scan, planar, fc_kind_of(&at), &at.group);
+}
+
 /* Candidates for occluders, each asked to darken what it can. */
 static void cast_shadows(fc_scan *scan, planar_work *work, const int64_t *hull, uint8_t corners) {
   const bool sieve = scan->frame->scene.bvh != NULL;
   fc_planar *planar = &work->planar;
-  if (!find_rectangle(scan, planar)) return;
+  if (scan->clear || !find_rectangle(scan, planar)) return;
   planar->corners_known = planar->edges_known = planar->steps_known = false;
+  cast_tables(scan, planar);
   if (corners == 0 && sieve)
     cast_from_tile(scan, work);
   else if (!sieve || scan->columns * scan->rows < SMALL_TILE || !cast_from_part(scan, work))

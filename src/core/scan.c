@@ -662,6 +662,7 @@ FC_COLD void fc_strip_draw(fc_scan *scan, const fc_frame *frame, uint16_t y, uin
   scan->asked = &scan->answer;
   scan->strip = y;
   scan->skip = skip;
+  scan->clear = false;
   scan->pixel_bytes = target->format == FC_RGB888 ? 3 : 2;
   scan->clip_far = frame->scene.far_limit > 0;
   fc_pixel_most(scan->drawn.format, scan->tint.most);

@@ -68,6 +68,7 @@ struct fc_scan {
   uint8_t pixel_bytes;
   uint8_t light;       /* FC_LIGHT_... */
   bool clip_far;       /* the far limit may cut the primitive */
+  bool clear;          /* nothing keeps the light from what of the table faces it */
   uint8_t skip;        /* rows of the frame with this parity are left out; FC_SKIP_NONE: none */
   fc_tint tint;
   fc_asked *asked;     /* below */

@@ -997,7 +997,7 @@ typedef struct sphere_work {
   uint32_t p[32], e[32];
 } sphere_work;
 
-typedef char work_fits[sizeof(sphere_work) <= FC_SCAN_WORK * sizeof(int64_t) ? 1 : -1];
+typedef char sphere_work_fits[sizeof(sphere_work) <= FC_SCAN_WORK * sizeof(int64_t) ? 1 : -1];
 
 void fc_ball_draw(fc_scan *scan, const fc_placed_sphere *placed, fc_ball_coat *coat) {
   sphere_work *work = (void *)scan->work;
