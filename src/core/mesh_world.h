@@ -60,61 +60,78 @@ static int check(const fc_scene *scene, const fc_shapes *shapes) {
   return FC_OK;
 }
 
-/* The eye in whole world coordinates, floor; false when it is out of their range. */
-static FC_COLD bool whole_eye(const fc_view *view, int32_t eye[3]) {
-  uint8_t i;
-  for (i = 0; i < 3; i++) {
-    int64_t e = fc_floor_shift64(view->eye[i], view->fine);
-    if (fc_abs64(e) > (uint64_t)FC_COORDINATE_MAX) return false;
-    eye[i] = (int32_t)e;
-  }
-  return true;
+/* The eye in whole units of 2^r world coordinates, floor; r is the least, returned, with which it has the range of a coordinate. */
+static FC_COLD uint8_t whole_eye(const fc_view *view, int32_t eye[3]) {
+  uint8_t i, down = 0;
+  for (i = 0; i < 3; i++)
+    while (fc_abs64(fc_floor_shift64(view->eye[i], (uint8_t)(view->fine + down))) > (uint64_t)FC_COORDINATE_MAX) down++; /* 2^61 at most */
+  for (i = 0; i < 3; i++) eye[i] = (int32_t)fc_floor_shift64(view->eye[i], (uint8_t)(view->fine + down));
+  return down;
 }
 
-static FC_COLD fc_num exact_distance(const fc_view *view, const fc_vec3 *v) {
-  int64_t offset[3];
-  fc_view_offset(view, v, offset);
-  return fc_length(offset);
+/* Offsets from the eye in units of 2^(down + shift) world coordinates: a, below 2^14, stands for more than a - 1 and less than a + 1, as both
+ * ends are rounded down; so three squares are off by less than 6 a + 3, the slack. */
+typedef struct fc_eye_squares {
+  int32_t eye[3]; /* 2^down */
+  uint8_t down, shift;
+  uint32_t slack;
+} fc_eye_squares;
+
+static inline void eye_offset(const fc_eye_squares *s, const fc_vec3 *v, uint32_t offset[3]) {
+  offset[0] = fc_abs32(fc_floor_shift32(v->x, s->down) - s->eye[0]) >> s->shift; /* 30 bits less 30 */
+  offset[1] = fc_abs32(fc_floor_shift32(v->y, s->down) - s->eye[1]) >> s->shift;
+  offset[2] = fc_abs32(fc_floor_shift32(v->z, s->down) - s->eye[2]) >> s->shift;
+}
+
+/* Where a power of two lies too near: by exact distances. */
+static FC_COLD fc_num exact_extent(const fc_view *view, const fc_shapes *shapes) {
+  fc_num most = {0, 0};
+  uint16_t i;
+  for (i = 0; i < shapes->vertex_count; i++) {
+    fc_vec3 v;
+    int64_t offset[3];
+    fc_num distance;
+    fc_read_world(shapes, i, &v);
+    fc_view_offset(view, &v, offset);
+    distance = fc_length(offset);
+    if (fc_num_compare(distance, most) > 0) most = distance;
+  }
+  return most;
 }
 
 static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
-  fc_num most = {0, 0};
-  int32_t eye[3] = {0, 0, 0};
-  uint32_t all = 0, sure = 0, slack;
+  fc_eye_squares found;
+  uint32_t all = 0, most = 0;
   uint16_t i;
-  uint8_t shift, pass;
-  bool quick = whole_eye(view, eye);
-  if (quick)
+  uint8_t bits, pass;
+  found.down = whole_eye(view, found.eye);
+  found.shift = 0;
+  found.slack = 0;
+  for (pass = 0; pass < 2; pass++) {
+    const fc_eye_squares s = found; /* one that no pointer leads to may stay in registers */
     for (i = 0; i < shapes->vertex_count; i++) {
       fc_vec3 v;
+      uint32_t a[3], square;
       fc_read_world(shapes, i, &v);
-      all |= fc_abs32(v.x - eye[0]) | fc_abs32(v.y - eye[1]) | fc_abs32(v.z - eye[2]);
-    }
-  shift = (uint8_t)(32 - (all == 0 ? 32 : fc_clz32(all)));
-  slack = UINT32_C(6) << (shift < 14 ? shift : 14); /* (a - 1)^2 is a^2 less 2 a at most */
-  shift = shift > 14 ? (uint8_t)(shift - 14) : 0;
-  for (pass = quick ? 0 : 1; pass < 2; pass++) {
-    if (pass == 1) sure = sure > slack ? sure - slack : 0;
-    for (i = 0; i < shapes->vertex_count; i++) {
-      fc_vec3 v;
-      fc_read_world(shapes, i, &v);
-      if (quick) {
-        /* offsets are off by less than 1: below (a + 2) 2^shift, at least (a - 1) 2^shift, a below 2^14 */
-        uint32_t x = fc_abs32(v.x - eye[0]) >> shift, y = fc_abs32(v.y - eye[1]) >> shift,
-                 z = fc_abs32(v.z - eye[2]) >> shift;
-        if (pass == 0) {
-          if (x * x + y * y + z * z > sure) sure = x * x + y * y + z * z;
-          continue;
-        }
-        if ((x + 2) * (x + 2) + (y + 2) * (y + 2) + (z + 2) * (z + 2) < sure) continue;
+      eye_offset(&s, &v, a);
+      if (pass == 0) {
+        all |= a[0] | a[1] | a[2];
+        continue;
       }
-      {
-        fc_num distance = exact_distance(view, &v);
-        if (fc_num_compare(distance, most) > 0) most = distance;
-      }
+      square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; /* below 3 2^28 */
+      if (square > most) most = square;
     }
+    bits = (uint8_t)(32 - (all == 0 ? 32 : fc_clz32(all)));
+    found.slack = (UINT32_C(6) << (bits < 14 ? bits : 14)) + 3;
+    found.shift = bits > 14 ? (uint8_t)(bits - 14) : 0;
   }
-  return most;
+  if (most > found.slack) {
+    const uint32_t low = most - found.slack, high = most + found.slack;
+    const uint8_t n = (uint8_t)((31 - fc_clz32(low)) / 2); /* 4^n <= low, n at most 14 */
+    if ((high + (high >> 20) + 1) >> (2 * n + 2) == 0)     /* below 2^(n + 1) (1 - 2^-21) */
+      return fc_num_from_u64(3, n - 1 + found.shift + found.down + view->fine);
+  }
+  return exact_extent(view, shapes);
 }
 
 static void place(const fc_view *view, const fc_shapes *shapes, void *to) {

@@ -86,15 +86,21 @@ uint8_t fc_triangle_test(const fc_prepared *prepared, const int64_t direction[3]
   return 1;
 }
 
+/* One axis: coordinates of 30 bits and a sign. */
+static inline void bound(const fc_form *form, uint8_t axis, int64_t low[3], int64_t high[3]) {
+  const int32_t a = (int32_t)form->u.triangle.vertex[0][axis], b = (int32_t)form->u.triangle.vertex[1][axis],
+                c = (int32_t)form->u.triangle.vertex[2][axis];
+  int32_t least = a < b ? a : b, most = a < b ? b : a;
+  if (c < least) least = c;
+  if (c > most) most = c;
+  low[axis] = least;
+  high[axis] = most;
+}
+
 void fc_triangle_bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {
-  uint8_t j;
-  for (j = 0; j < 3; j++) {
-    int64_t a = form->u.triangle.vertex[0][j], b = form->u.triangle.vertex[1][j], c = form->u.triangle.vertex[2][j];
-    low[j] = a < b ? a : b;
-    high[j] = a < b ? b : a;
-    if (c < low[j]) low[j] = c;
-    if (c > high[j]) high[j] = c;
-  }
+  bound(form, 0, low, high);
+  bound(form, 1, low, high);
+  bound(form, 2, low, high);
 }
 
 /* 63 + 62 bits, three products below 2^127. */
