@@ -5,8 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
+#include "narrow.h"
 #include "version.h"
 
 namespace host {
@@ -42,6 +44,9 @@ std::string c_item(const fc_bvh_node &n) {
 }
 std::string c_item(const fc_vec3 &v) {
   return c_vec3(v);
+}
+std::string c_item(const fc_short_vec3 &v) {
+  return "{" + c_int(v.x) + ", " + c_int(v.y) + ", " + c_int(v.z) + "}";
 }
 std::string c_item(const fc_normal &n) {
   return "{" + c_int(n.x) + ", " + c_int(n.y) + ", " + c_int(n.z) + "}";
@@ -84,6 +89,29 @@ std::vector<T> part(const std::vector<T> &whole, std::size_t first, std::size_t 
   return {from, from + static_cast<std::ptrdiff_t>(count)};
 }
 
+template <typename T>
+std::string c_numbers(const std::string &type, const std::string &name, const std::vector<T> &numbers) {
+  std::string text = "static const " + type + " " + name + "[] FC_ROM = {";
+  for (std::size_t i = 0; i < numbers.size(); i++) text += (i % 24 == 0 ? "\n  " : "") + c_u16(numbers[i]) + ",";
+  return text + "};\n";
+}
+
+/* An image's texels and record, NAME_image. */
+std::string c_image(const std::string &name, const CoreLayers &layers) {
+  const NarrowTexels texels = narrow_texels(layers);
+  const bool palette = texels.format == NarrowTexels::Format::palette;
+  std::string text = texels.format == NarrowTexels::Format::rgb565 ? c_numbers("uint16_t", name + "_texels", texels.packed)
+                                                                    : c_numbers("uint8_t", name + "_texels", texels.bytes);
+  const char *format = texels.format == NarrowTexels::Format::rgb565  ? "FC_TEXEL_RGB565"
+                       : texels.format == NarrowTexels::Format::grey8 ? "FC_TEXEL_GREY8"
+                                                                      : "FC_TEXEL_RGB888";
+  if (palette) text += c_numbers("uint8_t", name + "_colours", texels.colours);
+  std::string image = name + "_texels, " + c_int(layers.image.width) + ", " + c_int(layers.image.height) + ", " + format + ", " +
+                      c_int(layers.image.bilinear) + ", " + c_int(layers.image.clamp);
+  if (palette) image = "{" + image + "}, " + name + "_colours, " + std::to_string(texels.colours.size() / 3);
+  return text + "static const " + (palette ? "fc_palette_image " : "fc_image ") + name + "_image FC_ROM = {" + image + "};\n";
+}
+
 /* Everything that a material's layers point to, and their list. */
 std::string c_layers(const std::string &name, const CoreLayers &layers) {
   const auto record = [&](const char *type, const char *what, const std::string &fields) {
@@ -109,20 +137,16 @@ std::string c_layers(const std::string &name, const CoreLayers &layers) {
       const char *how = m.kind == &fc_mapping_planar ? "planar" : m.kind == &fc_mapping_spherical ? "spherical" : "vertices";
       text += record("fc_mapping", "_mapping", std::string("&fc_mapping_") + how + ", " + c_vec3(m.origin) + ", " + c_vec3(m.u) + ", " +
                                                    c_vec3(m.v) + ", " + c_int(m.exponent) + ", " + c_int(m.repeat_u) + ", " + c_int(m.repeat_v));
-      const bool image = layers.texture.pattern == &fc_texture_image;
-      if (image) {
-        text += "static const uint8_t " + name + "_texels[] FC_ROM = {";
-        for (std::size_t i = 0; i < layers.texels.size(); i++)
-          text += (i % 24 == 0 ? "\n  " : "") + c_int(layers.texels[i]) + ",";
-        text += "};\n";
-        text += record("fc_image", "_image", name + "_texels, " + c_int(layers.image.width) + ", " + c_int(layers.image.height) + ", " +
-                                                 c_int(layers.image.format) + ", " + c_int(layers.image.bilinear) + ", " +
-                                                 c_int(layers.image.clamp));
+      std::string pattern = "checker", what = "_checker";
+      if (layers.texture.pattern == &fc_texture_image) {
+        text += c_image(name, layers);
+        what = "_image";
+        pattern = narrow_texels(layers).format == NarrowTexels::Format::palette ? "palette" : "image";
       } else {
         text += record("fc_checker", "_checker", "{" + c_rgb(layers.checker.colour[0]) + ", " + c_rgb(layers.checker.colour[1]) + "}");
       }
-      text += record("fc_texture", "_texture", "&" + name + "_mapping, &fc_texture_" + (image ? "image, &" : "checker, &") + name +
-                                                   (image ? "_image, " : "_checker, ") + c_int(layers.texture.modulate));
+      text += record("fc_texture", "_texture", "&" + name + "_mapping, &fc_texture_" + pattern + ", &" + name + what + ", " +
+                                                   c_int(layers.texture.modulate));
     }
     if (layer.data != nullptr) data = "&" + name + "_" + kind;
     list += "{&fc_layer_" + kind + ", " + data + "}, ";
@@ -142,6 +166,15 @@ std::string c_materials(const std::string &name, const CoreScene &core) {
   return text + "/* diffuse, Q1.15, and layers */\nstatic const fc_material " + name + "_materials[] FC_ROM = {\n" + table + "};\n\n";
 }
 
+std::string c_vertices(const std::string &name, const std::vector<fc_vec3> &vertices, const std::optional<std::uint8_t> &shift) {
+  if (!shift) return c_table("fc_vec3", name, "x, y, z", vertices);
+  const std::int32_t unit = std::int32_t{1} << *shift;
+  std::vector<fc_short_vec3> narrow;
+  for (const fc_vec3 &v : vertices)
+    narrow.push_back({static_cast<std::int16_t>(v.x / unit), static_cast<std::int16_t>(v.y / unit), static_cast<std::int16_t>(v.z / unit)});
+  return c_table("fc_short_vec3", name, ("x, y, z, times 2^" + std::to_string(*shift)).c_str(), narrow);
+}
+
 std::string c_shapes(const std::string &name, const CoreScene &core) {
   if (core.shapes.empty()) return "";
   std::string text = "static const fc_shapes " + name + "_shapes[] FC_ROM = {\n";
@@ -154,6 +187,9 @@ std::string c_shapes(const std::string &name, const CoreScene &core) {
                                    (core.uvs.empty() ? "NULL" : table_name(name, "uvs", core, i));
     if (cull > 1)
       text += "  FC_TRIANGLES_CONVEX(" + vertices + ", " + attributes + ", " + triangles + ", " + std::to_string(cull - 2) + "),\n";
+    else if (const std::optional<std::uint8_t> shift = short_vertex_shift(core))
+      text += "  FC_TRIANGLES_SHORT(" + vertices + ", " + std::to_string(*shift) + ", " + attributes + ", " + triangles +
+              (cull == 1 ? ", 1),\n" : ", 0),\n");
     else if (core.normals.empty() && core.uvs.empty())
       text += std::string(cull == 1 ? "  FC_TRIANGLES_CLOSED(" : "  FC_TRIANGLES(") + vertices + ", " + triangles + "),\n";
     else
@@ -230,8 +266,7 @@ std::string bake(const CoreScene &core, const SceneFacts &facts, const std::stri
   text += c_table("fc_plane", name + "_planes", "normal, d, d_exponent, material, object", core.planes);
   for (std::size_t i = 0; i < core.triangle_tables.size(); i++) {
     const TriangleTable &table = core.triangle_tables[i];
-    text += c_table("fc_vec3", table_name(name, "vertices", core, i), "x, y, z",
-                    part(core.vertices, table.vertex, table.vertices));
+    text += c_vertices(table_name(name, "vertices", core, i), part(core.vertices, table.vertex, table.vertices), short_vertex_shift(core));
     if (!core.normals.empty())
       text += c_table("fc_normal", table_name(name, "normals", core, i), "x, y, z, Q14",
                       part(core.normals, table.vertex, table.vertices));

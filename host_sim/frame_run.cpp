@@ -107,8 +107,8 @@ Pictures render(const CoreFrame &frame, const Sampling &sampling, int strip_rows
   return {rgb888.get(), std::move(rgb565)};
 }
 
-Picture render_format(const CoreFrame &frame, fc_format format, int strip_rows) {
-  return render_rows(frame, Sampling(), format, strip_rows, nullptr);
+Picture render_format(const CoreFrame &frame, const Sampling &sampling, fc_format format, int strip_rows) {
+  return render_rows(frame, sampling, format, strip_rows, nullptr);
 }
 
 FrameCounts count(const Picture &picture) {

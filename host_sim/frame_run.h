@@ -70,8 +70,8 @@ struct Pictures {
 /* Renders the frame in strips of `strip_rows` rows, both formats at the same time. `quiet`: without progress of its own. */
 Pictures render(const CoreFrame &frame, const Sampling &sampling, int strip_rows, bool quiet = false);
 
-/* One format alone, a ray a pixel, without progress. */
-Picture render_format(const CoreFrame &frame, fc_format format, int strip_rows);
+/* One format alone, without progress. */
+Picture render_format(const CoreFrame &frame, const Sampling &sampling, fc_format format, int strip_rows);
 
 /* What every report says about a frame. */
 struct FrameCounts {

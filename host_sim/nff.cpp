@@ -20,11 +20,12 @@
 #include "cone_mesh.h"
 #include "scene_file.h"
 #include "text_file.h"
+#include "text_lines.h"
 
 namespace host {
 namespace {
 
-constexpr int max_lines = 1048576;
+constexpr std::size_t max_primitives = 65535; /* the core takes no more */
 constexpr std::size_t max_line_bytes = 4096;
 constexpr int max_object = 65535;
 constexpr int max_vertices = 65535;
@@ -52,41 +53,38 @@ std::string quoted(std::string_view token)
   return text + (token.size() > longest ? "...'" : "'");
 }
 
-/* A run over the bytes before anything is parsed, so that a file which is no scene at all is refused fast
- * and by its real fault. Returns the lines without their ends. */
-std::vector<std::string_view> split_lines(const std::string &path, std::string_view text)
+/* A line without its end, after a look at its bytes. */
+std::string_view checked_line(const std::string &path, int number, std::string_view line)
 {
-  if (text.substr(0, 3) == "\xef\xbb\xbf") { /* the byte-order mark that some editors put first */
-    text.remove_prefix(3);
+  if (!line.empty() && line.back() == '\n') {
+    line.remove_suffix(1);
   }
-  std::vector<std::string_view> lines;
-  while (!text.empty()) {
-    const int number = static_cast<int>(lines.size()) + 1;
-    if (number > max_lines) {
-      fail(path, number, "more than " + std::to_string(max_lines) + " lines; simplify or split the scene");
-    }
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (!line.empty() && line.back() == '\r') {
-      line.remove_suffix(1);
-    }
-    for (std::size_t i = 0; i < line.size(); i++) {
-      const auto byte = static_cast<unsigned char>(line[i]);
-      if ((byte < 0x20 && byte != '\t') || byte == 0x7f) {
-        char message[100];
-        std::snprintf(message, sizeof message, "not a text file (byte 0x%02x in column %zu); "
-                      "save the scene as plain text", byte, i + 1);
-        fail(path, number, message);
-      }
-    }
-    if (line.size() > max_line_bytes) {
-      fail(path, number, "a line of " + std::to_string(line.size()) + " characters, at most " +
-           std::to_string(max_line_bytes) + " are allowed; put one entity on each line");
-    }
-    lines.push_back(line);
+  if (!line.empty() && line.back() == '\r') {
+    line.remove_suffix(1);
   }
-  return lines;
+  for (std::size_t i = 0; i < line.size(); i++) {
+    const auto byte = static_cast<unsigned char>(line[i]);
+    if ((byte < 0x20 && byte != '\t') || byte == 0x7f) {
+      char message[100];
+      std::snprintf(message, sizeof message, "not a text file (byte 0x%02x in column %zu); "
+                    "save the scene as plain text", byte, i + 1);
+      fail(path, number, message);
+    }
+  }
+  if (line.size() > max_line_bytes) {
+    fail(path, number, "a line of more than " + std::to_string(max_line_bytes) + " characters; put one entity on each line");
+  }
+  return line;
+}
+
+/* A run over the first bytes before anything is parsed, so that a file which is no scene at all is refused by its real fault. */
+void check_ahead(const std::string &path, std::string_view text)
+{
+  TextLines lines(text, LineEnd::lf);
+  std::string_view line;
+  for (int number = 1; lines.next(line) && (line.back() == '\n' || line.size() > max_line_bytes); number++) {
+    (void)checked_line(path, number, line);
+  }
 }
 
 std::vector<std::string_view> split_tokens(std::string_view line)
@@ -123,17 +121,21 @@ class Reader {
 public:
   explicit Reader(const std::string &path) : path_(path) {}
 
-  SceneFile read(std::string_view text)
+  SceneFile read(TextLines &lines)
   {
-    if (text.empty()) {
-      fail(path_, 1, "the file is empty; a scene needs at least a v block");
-    }
-    const std::vector<std::string_view> lines = split_lines(path_, text);
+    check_ahead(path_, lines.ahead());
     scene_.path = path_;
     scene_.ambient.r = scene_.ambient.g = scene_.ambient.b = Number{"0.1", 0.1L};
-    for (const std::string_view line : lines) {
+    std::string_view line;
+    while (lines.next(line)) {
       line_++;
-      read_line(line);
+      if (line_ == 1 && line.substr(0, 3) == "\xef\xbb\xbf") { /* the byte-order mark that some editors put first */
+        line.remove_prefix(3);
+      }
+      read_line(checked_line(path_, line_, line));
+    }
+    if (line_ == 0) {
+      fail(path_, 1, "the file is empty; a scene needs at least a v block");
     }
     if (vertices_missing_ > 0) {
       fail_truncated("the file ends");
@@ -601,6 +603,9 @@ private:
   std::uint16_t next_object()
   {
     entities_++;
+    if (scene_.spheres.size() + scene_.planes.size() + scene_.polygons.size() >= max_primitives) {
+      fail_here("more than " + std::to_string(max_primitives) + " primitives; simplify the scene or split it");
+    }
     const int object = fixed_object_ != 0 ? fixed_object_ : entities_;
     if (object > max_object) {
       fail_here("this is entity " + std::to_string(entities_) + ", but ids end at 65535; "
@@ -827,12 +832,14 @@ private:
 
 SceneFile read_nff(const std::string &path)
 {
-  return read_nff_text(path, load_text(path));
+  TextLines lines(path, LineEnd::lf);
+  return Reader(path).read(lines);
 }
 
 SceneFile read_nff_text(const std::string &name, std::string_view text)
 {
-  return Reader(name).read(text);
+  TextLines lines(text, LineEnd::lf);
+  return Reader(name).read(lines);
 }
 
 } // namespace host

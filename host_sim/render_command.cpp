@@ -278,6 +278,7 @@ void add_render_command(CLI::App &app, Action &action) {
   add_offset_option(*command, *options);
   add_profile_option(*command, *options);
   add_transfer_option(*command, *options);
+  add_depth_option(*command, *options);
 
   add_sampling_options(*command, options->sampling);
   command

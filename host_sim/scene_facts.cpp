@@ -8,6 +8,7 @@
 
 #include "frame_run.h"
 #include "hierarchy.h"
+#include "narrow.h"
 #include "report.h"
 #include "sha256.h"
 #include "text_file.h"
@@ -27,13 +28,16 @@ std::size_t layer_bytes(const CoreScene &core) {
   std::size_t sum = 0;
   for (const std::unique_ptr<CoreLayers> &layers : core.layers) {
     if (!layers) continue;
-    sum += bytes(layers->list) + bytes(layers->texels);
+    const NarrowTexels texels = narrow_texels(*layers);
+    sum += bytes(layers->list) + texels.size();
     for (const fc_layer &layer : layers->list) {
       if (layer.kind == &fc_layer_phong) sum += sizeof(fc_phong);
       if (layer.kind == &fc_layer_mirror) sum += sizeof(fc_mirror);
       if (layer.kind == &fc_layer_emission) sum += sizeof(fc_emission);
       if (layer.kind == &fc_layer_texture)
-        sum += sizeof(fc_texture) + sizeof(fc_mapping) + (layers->texels.empty() ? sizeof(fc_checker) : sizeof(fc_image));
+        sum += sizeof(fc_texture) + sizeof(fc_mapping) + (layers->texels.empty()                                     ? sizeof(fc_checker)
+                                                          : texels.format == NarrowTexels::Format::palette ? sizeof(fc_palette_image)
+                                                                                                           : sizeof(fc_image));
     }
   }
   return sum;
@@ -54,6 +58,7 @@ std::vector<std::string> features_of(const CoreScene &core, std::size_t closed_t
   if (!core.planes.empty()) features.emplace_back("planes");
   if (closed_triangles < core.triangles.size()) features.emplace_back("triangles");
   if (closed_triangles > 0) features.emplace_back("closed meshes");
+  if (short_vertex_shift(core)) features.emplace_back("vertices of 16 bits");
   if (!core.bvh.empty()) features.emplace_back("hierarchy");
   if (core.lights.empty()) features.emplace_back("no lights");
   const bool falloff = std::any_of(core.lights.begin(), core.lights.end(), [](const fc_light &l) { return l.inverse_square != 0; });
@@ -107,7 +112,8 @@ SceneFacts scene_facts(const LoadedScene &scene) {
   facts.exponent = core.scene.exponent;
   for (const fc_sphere &s : core.spheres) facts.coordinate_bits = std::max({facts.coordinate_bits, bits_of(s.center), bits_of(s.radius)});
   for (const fc_vec3 &v : core.vertices) facts.coordinate_bits = std::max(facts.coordinate_bits, bits_of(v));
-  facts.table_bytes = bytes(core.spheres) + bytes(core.planes) + bytes(core.vertices) + bytes(core.triangles) + bytes(core.materials) +
+  facts.vertex_bytes = short_vertex_shift(core) ? sizeof(fc_short_vec3) : sizeof(fc_vec3);
+  facts.table_bytes = bytes(core.spheres) + bytes(core.planes) + facts.vertex_bytes * core.vertices.size() + bytes(core.triangles) + bytes(core.materials) +
                       bytes(core.lights) + bytes(core.normals) + bytes(core.uvs) + bytes(core.sky) + layer_bytes(core);
   facts.hierarchy_bytes = hierarchy_bytes(core);
   facts.frame_bytes = frame.memory_bytes();
@@ -134,7 +140,8 @@ std::vector<std::string> fact_lines(const SceneFacts &f) {
                     count_text(f.mesh.boundary_edges, "edge") + " of one triangle, " + std::to_string(f.mesh.non_manifold_edges) +
                     " of more than two, " + std::to_string(f.mesh.dropped) + " triangles without area left out.");
   lines.push_back("Coordinates: " + std::to_string(f.coordinate_bits) + " bits and a sign, of 30; a unit is 2^" +
-                  std::to_string(f.exponent - 16) + " world units.");
+                  std::to_string(f.exponent - 16) + " world units" +
+                  (f.vertices == 0 ? "." : "; " + std::to_string(8 * f.vertex_bytes / 3) + " bits a vertex's coordinate in flash."));
   const std::size_t flash = f.table_bytes + f.hierarchy_bytes;
   std::string line = "Flash: " + std::to_string(flash) + " bytes, " + std::to_string(f.hierarchy_bytes) + " of them the hierarchy";
   if (f.triangles > 0 && f.spheres == 0) {
@@ -167,6 +174,7 @@ std::string fact_json(const SceneFacts &f) {
   add("boundary_edges", f.mesh.boundary_edges);
   add("non_manifold_edges", f.mesh.non_manifold_edges);
   add("coordinate_bits", f.coordinate_bits);
+  add("vertex_bytes", f.vertex_bytes);
   text += ", \"exponent\": " + std::to_string(f.exponent);
   add("flash_bytes", f.table_bytes + f.hierarchy_bytes);
   add("hierarchy_bytes", f.hierarchy_bytes);

@@ -19,6 +19,7 @@ struct SceneFacts {
   double cone_error = 0;   /* of a cone's larger radius */
   MeshCounts mesh;
   unsigned coordinate_bits = 0; /* of the largest coordinate, without its sign; 30 at most */
+  std::size_t vertex_bytes = 0; /* of each in flash: the smallest sufficient width (narrow.h) */
   int exponent = 0;             /* a coordinate is value * 2^(exponent - 16) world units */
   std::size_t table_bytes = 0, hierarchy_bytes = 0; /* flash */
   std::size_t frame_bytes = 0;  /* fc_frame_memory */

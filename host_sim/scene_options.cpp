@@ -10,6 +10,7 @@
 
 #include "hierarchy.h"
 #include "obj.h"
+#include "report.h"
 
 namespace host {
 namespace {
@@ -146,6 +147,15 @@ void add_transfer_option(CLI::App &command, SceneOptions &options) {
       ->type_name("FUNCTION");
 }
 
+void add_depth_option(CLI::App &command, SceneOptions &options) {
+  command
+      .add_option("--depth-bits", options.depth_bits,
+                  "exponent bits of a depth code: 2, 3, 4, or auto (default: the least that the scene's range of depths takes); fewer are finer, and "
+                  "take what is too far away as equally far")
+      ->check(CLI::IsMember({"auto", "2", "3", "4"}))
+      ->type_name("BITS");
+}
+
 void add_bvh_option(CLI::App &command, SceneOptions &options) {
   command
       .add_option("--bvh", options.bvh,
@@ -165,10 +175,10 @@ LoadedScene load_scene(const SceneOptions &options) {
   if (!options.size.empty()) set_size(unread, options.size);
   LoadedScene scene = prepare_scene(options, read_scene(options));
   const MeshCounts &mesh = scene.core.mesh;
-  if (mesh.dropped > 0) scene.file.warnings.push_back(std::to_string(mesh.dropped) + " triangles without area were left out");
+  if (mesh.dropped > 0) scene.file.warnings.push_back(count_text(mesh.dropped, "triangle") + " without area " + (mesh.dropped == 1 ? "was" : "were") + " left out");
   if (mesh.non_manifold_edges > 0 && is_obj(options.scene))
-    scene.file.warnings.push_back(std::to_string(mesh.non_manifold_edges) +
-                                  " edges are shared by more than two triangles; the model is no closed surface there");
+    scene.file.warnings.push_back(count_text(mesh.non_manifold_edges, "edge") +
+                                  (mesh.non_manifold_edges == 1 ? " is" : " are") + " shared by more than two triangles; the model is no closed surface there");
   for (const std::string &warning : scene.file.warnings) (void)std::fprintf(stderr, "%s: %s\n", options.scene.c_str(), warning.c_str());
   return scene;
 }
@@ -183,6 +193,7 @@ LoadedScene prepare_scene(const SceneOptions &options, SceneFile file) {
   scene.options = to_options(options.offset, scene.core.scene);
   scene.options.profile = to_profile(options.profile);
   scene.options.transfer = to_transfer(options.transfer);
+  scene.options.depth_exponent_bits = static_cast<std::uint8_t>(options.depth_bits == "auto" ? 0 : options.depth_bits[0] - '0');
   return scene;
 }
 

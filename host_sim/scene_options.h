@@ -16,7 +16,7 @@ namespace host {
 
 /* As typed. */
 struct SceneOptions {
-  std::string scene, size, world_scale = "1", offset = "exact", bvh = "auto", profile = "exact", transfer = "linear";
+  std::string scene, size, world_scale = "1", offset = "exact", bvh = "auto", profile = "exact", transfer = "linear", depth_bits = "auto";
   ViewOptions view;
   bool json = false;
 };
@@ -36,6 +36,7 @@ CLI::Option *add_plain_scene_options(CLI::App &command, SceneOptions &options);
 void add_offset_option(CLI::App &command, SceneOptions &options);
 void add_profile_option(CLI::App &command, SceneOptions &options);
 void add_transfer_option(CLI::App &command, SceneOptions &options);
+void add_depth_option(CLI::App &command, SceneOptions &options);
 void add_bvh_option(CLI::App &command, SceneOptions &options);
 void add_view_options(CLI::App &command, SceneOptions &options);
 void add_json_option(CLI::App &command, SceneOptions &options);

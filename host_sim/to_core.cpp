@@ -453,7 +453,7 @@ private:
   template <typename T>
   void add_table(const fc_kind *kind, const std::vector<T> &table) {
     if (table.empty()) return;
-    out_.shapes.push_back({kind, table.data(), nullptr, static_cast<std::uint16_t>(table.size()), 0, nullptr, nullptr, 0});
+    out_.shapes.push_back({kind, table.data(), nullptr, static_cast<std::uint16_t>(table.size()), 0, nullptr, nullptr, 0, 0});
   }
 
   void finish_scene() {
@@ -465,7 +465,7 @@ private:
                              static_cast<std::uint16_t>(table.triangles), static_cast<std::uint16_t>(table.vertices),
                              out_.normals.empty() ? nullptr : out_.normals.data() + table.vertex,
                              out_.uvs.empty() ? nullptr : out_.uvs.data() + table.vertex,
-                             table.cull});
+                             table.cull, 0});
     fc_scene &scene = out_.scene;
     scene.shapes = out_.shapes.data();
     scene.shape_count = static_cast<std::uint16_t>(out_.shapes.size());

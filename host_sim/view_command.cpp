@@ -36,6 +36,8 @@ void add_view_command(CLI::App &app, Action &action) {
   add_scene_options(*command, *options);
   add_offset_option(*command, *options);
   add_profile_option(*command, *options);
+  add_transfer_option(*command, *options);
+  add_depth_option(*command, *options);
   command->add_option("--display", options->display, "show what this panel would: its size, pixel format and dither")
       ->check(CLI::IsMember(panel_names()))
       ->type_name("PANEL");

@@ -144,6 +144,9 @@ private:
     switch (key.sym) {
       case SDLK_p: viewer_.next_profile(); break;
       case SDLK_o: viewer_.next_offset(); break;
+      case SDLK_z: viewer_.next_depth(); break;
+      case SDLK_t: viewer_.next_transfer(); break;
+      case SDLK_m: viewer_.next_samples(); break;
       case SDLK_d: viewer_.toggle_panel(); break;
       case SDLK_r: viewer_.camera().reset(); break;
       case SDLK_n: step_ = true; break;

@@ -102,7 +102,7 @@ typedef struct fc_mapping {
 /* What colour stands at (u, v). */
 typedef struct fc_texture_kind fc_texture_kind;
 extern const fc_texture_kind fc_texture_checker; /* two by two squares a tile, the first colour at (0, 0) */
-extern const fc_texture_kind fc_texture_image;
+extern const fc_texture_kind fc_texture_image, fc_texture_palette;
 typedef struct fc_checker {
   fc_rgb colour[2];
 } fc_checker;
@@ -120,12 +120,19 @@ typedef struct fc_image {
   uint8_t clamp;      /* 0: tiles; 1: the border's texels go on for ever */
 } fc_image;
 
+/* The same in at most 256 colours: `image.texels` are bytes, each the number of a colour; image.format is FC_TEXEL_RGB888, the colours'. */
+typedef struct fc_palette_image {
+  fc_image image;
+  const uint8_t *colours; /* three bytes each, red first; may live in flash */
+  uint16_t colour_count;  /* greater than every texel, or FC_ERR_INDEX */
+} fc_palette_image;
+
 /* A texture: what stands at a point's coordinates replaces the reflectance, or is multiplied with it. */
 extern const fc_layer_kind fc_layer_texture;
 typedef struct fc_texture {
   const fc_mapping *mapping;
   const fc_texture_kind *pattern;
-  const void *pattern_data; /* fc_checker or fc_image */
+  const void *pattern_data; /* fc_checker, fc_image or fc_palette_image */
   uint8_t modulate;         /* 0: replaces; 1: multiplies */
 } fc_texture;
 

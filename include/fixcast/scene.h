@@ -42,9 +42,14 @@ typedef struct fc_triangle {
   uint16_t material, object;
 } fc_triangle;
 
-/* One kind of shape: code that only scenes naming it link. Opaque; the four below are all there are. */
+/* One kind of shape: code that only scenes naming it link. Opaque; the five below are all there are. */
 typedef struct fc_kind fc_kind;
-extern const fc_kind fc_kind_sphere, fc_kind_plane, fc_kind_triangle, fc_kind_convex;
+extern const fc_kind fc_kind_sphere, fc_kind_plane, fc_kind_triangle, fc_kind_triangle_short, fc_kind_convex;
+
+/* A vertex of fc_kind_triangle_short: world coordinates / 2^vertex_shift. */
+typedef struct fc_short_vec3 {
+  int16_t x, y, z;
+} fc_short_vec3;
 
 /* A vertex normal, unit length, Q14; and texture coordinates in tiles, Q16. */
 typedef struct fc_normal {
@@ -58,36 +63,42 @@ typedef struct fc_uv {
 typedef struct fc_shapes {
   const fc_kind *kind;
   const void *items; /* fc_sphere, fc_plane or fc_triangle, as the kind says */
-  const fc_vec3 *vertices;
+  const void *vertices; /* fc_vec3, or fc_short_vec3 where the kind says so */
   uint16_t count, vertex_count;
   const fc_normal *normals; /* triangles: one a vertex, for fc_layer_smooth; or NULL */
   const fc_uv *uvs;         /* triangles: one a vertex, for fc_mapping_vertices; or NULL */
   uint8_t cull; /* triangles: 1 when they close up and face outwards, so that back faces need not be drawn; otherwise 0. fc_kind_convex:
                    2 + m for a margin of 2^m coordinates or more, m 0..30; or as for triangles */
+  uint8_t vertex_shift; /* fc_kind_triangle_short: a vertex is a whole number times 2^vertex_shift, 0..15; otherwise 0 */
 } fc_shapes;
 
 #define FC_COUNT_OF(table) ((uint16_t)(sizeof(table) / sizeof((table)[0])))
 #define FC_SPHERES(table) \
-  { &fc_kind_sphere, (table), NULL, FC_COUNT_OF(table), 0, NULL, NULL, 0 }
+  { &fc_kind_sphere, (table), NULL, FC_COUNT_OF(table), 0, NULL, NULL, 0, 0 }
 #define FC_PLANES(table) \
-  { &fc_kind_plane, (table), NULL, FC_COUNT_OF(table), 0, NULL, NULL, 0 }
+  { &fc_kind_plane, (table), NULL, FC_COUNT_OF(table), 0, NULL, NULL, 0, 0 }
 #define FC_TRIANGLES(vertices, table) \
-  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), NULL, NULL, 0 }
+  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), NULL, NULL, 0, 0 }
 /* Triangles with attributes a vertex (either may be NULL); `closed` 1 for a closed mesh. */
 #define FC_TRIANGLES_WITH(vertices, normals, uvs, table, closed) \
-  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), (normals), (uvs), (closed) }
+  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), (normals), (uvs), (closed), 0 }
 /* Closed meshes: every edge is shared by two triangles, which run along it in opposite directions, counter-clockwise seen from
  * outside, and no triangle passes through another. Rays meet their front faces only: a back face is hidden from any eye that is
  * outside, and costs next to nothing. An eye inside looks out through them. With exact shadows a point is taken to be outside too, so
  * that only faces turned away from a light keep it off: what goes into the mesh has to come out. */
 #define FC_TRIANGLES_CLOSED(vertices, table) \
-  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), NULL, NULL, 1 }
+  { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), NULL, NULL, 1, 0 }
 /* A convex mesh: one closed mesh, each vertex strictly below the plane of each face that it is no corner of. The margin, 2^m coordinates,
  * tells from how far away that still holds when vertices are rounded. It is at most a vertex's distance below a face, divided by 1 + the
  * sum of the magnitudes of its barycentric weights there, and at most a sixteenth of a face's least height. Shadows of such meshes cost a
  * fraction: an outline stands for all faces. `fixcast bake` finds m. Normals and uvs as above. */
 #define FC_TRIANGLES_CONVEX(vertices, normals, uvs, table, m) \
-  { &fc_kind_convex, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), (normals), (uvs), 2 + (m) }
+  { &fc_kind_convex, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), (normals), (uvs), 2 + (m), 0 }
+
+/* The same from vertices of 16 bits (fc_short_vec3): half their flash, for a scene whose every mesh allows it (`fixcast bake` knows); with
+ * both widths in a scene both readers are linked. */
+#define FC_TRIANGLES_SHORT(vertices, shift, normals, uvs, table, closed) \
+  { &fc_kind_triangle_short, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), (normals), (uvs), (closed), (shift) }
 
 /* A point light, or a directional one. `position` stands for position * 2^exponent in world coordinates (-31..32): a far sun needs a
  * coarser grid than the scene. `intensity` is Q1.15 times 2^intensity_exponent (-40..40): irradiance of a surface

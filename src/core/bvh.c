@@ -381,55 +381,54 @@ FC_COLD uint32_t fc_bvh_count(const fc_scene *scene) {
   return count;
 }
 
-/* Every number of the order once: 512 of them at a time, marked in a bitmap. As there are as many as finite primitives, and
+#define SEEN_WORDS 128
+#define SEEN_BITS (UINT32_C(32) * SEEN_WORDS)
+
+/* Every number of the order once: 4096 of them at a time, marked in a bitmap. As there are as many as finite primitives, and
  * leaves_hold finds each to be one, none is missing then. */
 static FC_COLD bool each_once(const fc_bvh *bvh) {
-  uint32_t first;
-  for (first = 0; first < FC_PRIMITIVES_MAX; first += 512) {
-    uint32_t seen[16];
-    uint32_t i, more = 0;
-    for (i = 0; i < 16; i++) seen[i] = 0;
+  uint32_t first, all = 0; /* all numbers' bits: none is greater */
+  for (first = 0; first <= all; first += SEEN_BITS) {
+    uint32_t seen[SEEN_WORDS], i;
+    for (i = 0; i < SEEN_WORDS; i++) seen[i] = 0;
     for (i = 0; i < bvh->count; i++) {
       uint32_t number = read_order(bvh, (uint16_t)i), bit;
-      if (number < first) continue;
+      all |= number;
       number -= first;
-      if (number >= 512) {
-        more = 1;
-        continue;
-      }
+      if (number >= SEEN_BITS) continue; /* those below `first`, too */
       bit = UINT32_C(1) << (number & 31);
       if (seen[number >> 5] & bit) return false;
       seen[number >> 5] |= bit;
     }
-    if (more == 0) break;
   }
   return true;
+}
+
+/* A border of cells as a coordinate that compares with any of a primitive's box, which are below 2^31, as the border does. */
+static int32_t border(int32_t origin, uint16_t cells, uint8_t shift) {
+  const int64_t at = origin + ((int64_t)cells << shift); /* 32 and 33 bits */
+  return at < -INT32_MAX ? -INT32_MAX : at > INT32_MAX ? INT32_MAX : (int32_t)at;
 }
 
 static FC_COLD bool leaf_holds(const fc_bvh *bvh, const fc_space *space, uint32_t leaf, fc_cursor *at) {
   fc_bvh_node copy;
   const fc_bvh_node *node = node_at(bvh, fc_bvh_leaves(bvh) + leaf, &copy);
   int32_t box_low[3], box_high[3];
-  int64_t origin[3];
+  const int32_t origin[3] = {bvh->origin.x, bvh->origin.y, bvh->origin.z};
   uint16_t i, end = fc_bvh_share(bvh, leaf + 1, bvh->depth);
   uint8_t j;
-  origin[0] = bvh->origin.x;
-  origin[1] = bvh->origin.y;
-  origin[2] = bvh->origin.z;
   for (j = 0; j < 3; j++) {
-    /* what is in it is below 2^31 */
-    const int64_t from = origin[j] + ((int64_t)fc_bvh_low(node->axis[j]) << bvh->shift);
-    const int64_t to = origin[j] + ((int64_t)fc_bvh_high(node->axis[j]) << bvh->shift);
-    box_low[j] = from < -INT32_MAX ? -INT32_MAX : from > INT32_MAX ? INT32_MAX : (int32_t)from;
-    box_high[j] = to < -INT32_MAX ? -INT32_MAX : to > INT32_MAX ? INT32_MAX : (int32_t)to;
+    box_low[j] = border(origin[j], fc_bvh_low(node->axis[j]), bvh->shift);
+    box_high[j] = border(origin[j], fc_bvh_high(node->axis[j]), bvh->shift);
   }
   for (i = fc_bvh_share(bvh, leaf, bvh->depth); i < end; i++) {
     uint16_t primitive = read_order(bvh, i), index = (uint16_t)(primitive - at->group.first);
     int64_t low[3], high[3];
     if (index >= at->group.shapes.count && !fc_cursor_find(at, space, primitive, &index)) return false;
     if (!fc_bvh_bounds(at, index, low, high)) return false;
-    for (j = 0; j < 3; j++)
-      if ((int32_t)low[j] < box_low[j] || (int32_t)high[j] > box_high[j]) return false;
+    if ((int32_t)low[0] < box_low[0] || (int32_t)low[1] < box_low[1] || (int32_t)low[2] < box_low[2] ||
+        (int32_t)high[0] > box_high[0] || (int32_t)high[1] > box_high[1] || (int32_t)high[2] > box_high[2])
+      return false;
   }
   return true;
 }

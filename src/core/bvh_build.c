@@ -8,6 +8,8 @@
 #include "fixcast/error.h"
 #include "quick.h"
 
+#define MANY 2048 /* primitives */
+
 /* C99's alignof(uint32_t). */
 struct aligned_u32 {
   char before;
@@ -20,10 +22,11 @@ typedef struct builder {
   uint16_t *order;            /* places in `boxes` while building */
 } builder;
 
-/* The deepest tree whose leaves hold two primitives or more. */
+/* The deepest tree whose leaves hold two primitives or more; four where there are many, whose nodes would be most of the flash. */
 static uint8_t depth_for(uint32_t count) {
+  const uint8_t least = count >= MANY ? 4 : 2;
   uint8_t depth = 0;
-  while (count >> (depth + 2) != 0) depth++;
+  while (count >> depth >= 2 * (uint32_t)least) depth++;
   return depth;
 }
 

@@ -69,9 +69,9 @@ static inline const fc_triangle *fc_triangle_at(const fc_shapes *shapes, uint16_
 
 static inline void fc_read_vertex(const fc_shapes *shapes, uint16_t index, fc_vec3 *v) {
 #ifdef FC_ROM_FAR
-  FC_READ_ONE(v, shapes->vertices + index);
+  FC_READ_ONE(v, (const fc_vec3 *)shapes->vertices + index);
 #else
-  *v = shapes->vertices[index];
+  *v = ((const fc_vec3 *)shapes->vertices)[index];
 #endif
 }
 

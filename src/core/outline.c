@@ -73,7 +73,7 @@ static FC_NOINLINE bool averted(const int32_t a[3], const int32_t b[3], const in
   return fc_i128_sign(fc_i128_dot(n, at)) < 0;
 }
 
-static void include(outline *line, const int32_t p[3]) {
+static void grow(outline *line, const int32_t p[3]) {
   uint8_t j;
   for (j = 0; j < 3; j++) {
     if (p[j] < line->low[j]) line->low[j] = p[j];
@@ -104,9 +104,9 @@ static void sort_faces(const fc_frame *frame, const fc_shapes *shapes, const fc_
       link[c] = (uint16_t)(link[c] ^ a ^ b);
       casts[i / 8] = (uint8_t)(casts[i / 8] | 1u << (i % 8));
     } else {
-      include(line, vertices[a].p);
-      include(line, vertices[b].p);
-      include(line, vertices[c].p);
+      grow(line, vertices[a].p);
+      grow(line, vertices[b].p);
+      grow(line, vertices[c].p);
     }
   }
 }

@@ -1,135 +1,15 @@
 /* Triangles: watertight edge signs, homogeneous in the vertices, so nothing is clipped. */
 #include "bits.h"
-#include "fixcast/error.h"
 #include "kind.h"
 #include "mesh.h"
+#include "mesh_world.h"
 #include "scan_kinds.h"
 #include "tally.h"
-#include "transform.h"
 #include "view.h"
 
-static int check(const fc_scene *scene, const fc_shapes *shapes) {
-  uint16_t i;
-  if (shapes->vertices == NULL && shapes->vertex_count > 0) return FC_ERR_NULL;
-  for (i = 0; i < shapes->vertex_count; i++) {
-    fc_vec3 v;
-    fc_read_vertex(shapes, i, &v);
-    if (fc_abs32(v.x) > (uint32_t)FC_COORDINATE_MAX || fc_abs32(v.y) > (uint32_t)FC_COORDINATE_MAX ||
-        fc_abs32(v.z) > (uint32_t)FC_COORDINATE_MAX)
-      return FC_ERR_COORDINATE;
-  }
-  for (i = 0; i < shapes->count; i++) {
-    fc_triangle t;
-    fc_read_triangle(shapes, i, &t);
-    if (t.vertex[0] >= shapes->vertex_count || t.vertex[1] >= shapes->vertex_count ||
-        t.vertex[2] >= shapes->vertex_count || t.material >= scene->material_count)
-      return FC_ERR_INDEX;
-  }
-  return FC_OK;
-}
+static inline void fc_read_world(const fc_shapes *shapes, uint16_t index, fc_vec3 *v) { fc_read_vertex(shapes, index, v); }
 
-/* The eye in whole world coordinates, floor; false when it is out of their range. */
-static FC_COLD bool whole_eye(const fc_view *view, int32_t eye[3]) {
-  uint8_t i;
-  for (i = 0; i < 3; i++) {
-    int64_t e = fc_floor_shift64(view->eye[i], view->fine);
-    if (fc_abs64(e) > (uint64_t)FC_COORDINATE_MAX) return false;
-    eye[i] = (int32_t)e;
-  }
-  return true;
-}
-
-static FC_COLD fc_num exact_distance(const fc_view *view, const fc_vec3 *v) {
-  int64_t offset[3];
-  fc_view_offset(view, v, offset);
-  return fc_length(offset);
-}
-
-static fc_num extent(const fc_view *view, const fc_shapes *shapes) {
-  fc_num most = {0, 0};
-  int32_t eye[3] = {0, 0, 0};
-  uint32_t all = 0, sure = 0, slack;
-  uint16_t i;
-  uint8_t shift, pass;
-  bool quick = whole_eye(view, eye);
-  if (quick)
-    for (i = 0; i < shapes->vertex_count; i++) {
-      fc_vec3 v;
-      fc_read_vertex(shapes, i, &v);
-      all |= fc_abs32(v.x - eye[0]) | fc_abs32(v.y - eye[1]) | fc_abs32(v.z - eye[2]);
-    }
-  shift = (uint8_t)(32 - (all == 0 ? 32 : fc_clz32(all)));
-  slack = UINT32_C(6) << (shift < 14 ? shift : 14); /* (a - 1)^2 is a^2 less 2 a at most */
-  shift = shift > 14 ? (uint8_t)(shift - 14) : 0;
-  for (pass = quick ? 0 : 1; pass < 2; pass++) {
-    if (pass == 1) sure = sure > slack ? sure - slack : 0;
-    for (i = 0; i < shapes->vertex_count; i++) {
-      fc_vec3 v;
-      fc_read_vertex(shapes, i, &v);
-      if (quick) {
-        /* offsets are off by less than 1: below (a + 2) 2^shift, at least (a - 1) 2^shift, a below 2^14 */
-        uint32_t x = fc_abs32(v.x - eye[0]) >> shift, y = fc_abs32(v.y - eye[1]) >> shift,
-                 z = fc_abs32(v.z - eye[2]) >> shift;
-        if (pass == 0) {
-          if (x * x + y * y + z * z > sure) sure = x * x + y * y + z * z;
-          continue;
-        }
-        if ((x + 2) * (x + 2) + (y + 2) * (y + 2) + (z + 2) * (z + 2) < sure) continue;
-      }
-      {
-        fc_num distance = exact_distance(view, &v);
-        if (fc_num_compare(distance, most) > 0) most = distance;
-      }
-    }
-  }
-  return most;
-}
-
-static void place(const fc_view *view, const fc_shapes *shapes, void *to) {
-  fc_placed_vertex *placed = (fc_placed_vertex *)(void *)((fc_placed_mesh *)to + 1);
-  fc_transform found;
-  const bool quick = fc_transform_find(view, &found);
-  const fc_transform t = found; /* one that no pointer leads to may stay in registers */
-  uint16_t i;
-  uint8_t j;
-  for (i = 0; i < shapes->vertex_count; i++) {
-    fc_vec3 v;
-    fc_read_vertex(shapes, i, &v);
-    placed[i].seen = 0;
-    if (quick) {
-      fc_transform_point(view, &t, &v, placed[i].p);
-    } else {
-      int64_t p[3];
-      (void)fc_view_point(view, &v, 0, p); /* within range: the grid was chosen for it */
-      for (j = 0; j < 3; j++) placed[i].p[j] = (int32_t)p[j];
-    }
-  }
-}
-
-void fc_triangle_fetch(const fc_group *group, uint16_t index, fc_form *form) {
-  fc_triangle t;
-  uint8_t i;
-  fc_read_triangle(&group->shapes, index, &t);
-  form->material = t.material;
-  form->object = t.object;
-  /* the camera's axes are left-handed: there, outward normals turn inwards */
-  form->u.triangle.hidden = !group->shapes.cull ? 0 : group->memory != NULL ? -1 : 1;
-  for (i = 0; i < 3; i++) {
-    int64_t *to = form->u.triangle.vertex[i];
-    if (group->memory != NULL) {
-      const fc_placed_vertex *v = fc_mesh_vertices(group->memory) + t.vertex[i];
-      to[0] = v->p[0];
-      to[1] = v->p[1];
-      to[2] = v->p[2];
-    } else {
-      fc_vec3 v;
-      fc_read_vertex(&group->shapes, t.vertex[i], &v);
-      to[0] = v.x;
-      to[1] = v.y;
-      to[2] = v.z;
-    }
-  }
-}
+void fc_triangle_fetch(const fc_group *group, uint16_t index, fc_form *form) { fetch(group, index, form); }
 
 static uint8_t next(uint8_t i) { return i == 2 ? 0 : (uint8_t)(i + 1); }
 
@@ -154,7 +34,7 @@ static void shrink(const int64_t n[3], int64_t r[3], uint8_t *shift) {
   for (i = 0; i < 3; i++) r[i] = fc_floor_shift64(n[i], *shift);
 }
 
-static void prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
+void fc_triangle_prepare(const fc_form *form, const int64_t origin[3], fc_prepared *prepared) {
   int64_t v[3][3];
   uint8_t i, j;
   for (i = 0; i < 3; i++) subtract(form->u.triangle.vertex[i], origin, v[i]); /* below 2^31 */
@@ -189,7 +69,7 @@ static int8_t edge_sign(const fc_prepared *prepared, uint8_t i, const int64_t d[
   return sign;
 }
 
-static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_root *root) {
+uint8_t fc_triangle_test(const fc_prepared *prepared, const int64_t direction[3], fc_root *root) {
   int64_t reach = fc_small_norm1(direction);
   int8_t side = fc_i128_sign(prepared->u.triangle.side);
   fc_i128 along;
@@ -206,21 +86,25 @@ static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_
   return 1;
 }
 
-static void bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {
-  uint8_t j;
-  for (j = 0; j < 3; j++) { /* world coordinates and camera space: 31 bits and a sign */
-    const int32_t a = (int32_t)form->u.triangle.vertex[0][j], b = (int32_t)form->u.triangle.vertex[1][j],
-                  c = (int32_t)form->u.triangle.vertex[2][j];
-    int32_t least = a < b ? a : b, most = a < b ? b : a;
-    if (c < least) least = c;
-    if (c > most) most = c;
-    low[j] = least;
-    high[j] = most;
-  }
+/* One axis: coordinates of 30 bits and a sign. */
+static inline void bound(const fc_form *form, uint8_t axis, int64_t low[3], int64_t high[3]) {
+  const int32_t a = (int32_t)form->u.triangle.vertex[0][axis], b = (int32_t)form->u.triangle.vertex[1][axis],
+                c = (int32_t)form->u.triangle.vertex[2][axis];
+  int32_t least = a < b ? a : b, most = a < b ? b : a;
+  if (c < least) least = c;
+  if (c > most) most = c;
+  low[axis] = least;
+  high[axis] = most;
+}
+
+void fc_triangle_bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {
+  bound(form, 0, low, high);
+  bound(form, 1, low, high);
+  bound(form, 2, low, high);
 }
 
 /* 63 + 62 bits, three products below 2^127. */
-static FC_COLD int8_t side(const fc_form *form, const int64_t point[3]) {
+FC_COLD int8_t fc_triangle_side(const fc_form *form, const int64_t point[3]) {
   int64_t n[3], a[3];
   fc_face_normal(form, n);
   subtract(point, form->u.triangle.vertex[0], a);
@@ -255,12 +139,12 @@ static FC_COLD bool pierced(const fc_form *form, fc_segment *segment) {
   return true;
 }
 
-static FC_COLD bool blocked(const fc_form *form, fc_segment *segment) {
+FC_COLD bool fc_triangle_blocked(const fc_form *form, fc_segment *segment) {
   int64_t n[3], low[3], high[3];
   int8_t light;
-  bounds(form, low, high);
+  fc_triangle_bounds(form, low, high);
   if (fc_segment_apart(segment, low, high)) return false;
-  light = side(form, segment->light);
+  light = fc_triangle_side(form, segment->light);
   if (light == 0 || (form->u.triangle.hidden != 0 && segment->outside && light == form->u.triangle.hidden) ||
       !pierced(form, segment))
     return false;
@@ -269,16 +153,16 @@ static FC_COLD bool blocked(const fc_form *form, fc_segment *segment) {
   return fc_side_of_point(segment, n, fc_i128_dot(n, form->u.triangle.vertex[0])) == light;
 }
 
-static FC_COLD bool facing(const fc_form *form, fc_segment *segment) {
-  return side(form, fc_eye) * side(form, segment->light) > 0;
+FC_COLD bool fc_triangle_facing(const fc_form *form, fc_segment *segment) {
+  return fc_triangle_side(form, fc_eye) * fc_triangle_side(form, segment->light) > 0;
 }
 
-static FC_COLD void normal(const fc_form *form, const int64_t point[3], int64_t n[3]) {
+FC_COLD void fc_triangle_normal(const fc_form *form, const int64_t point[3], int64_t n[3]) {
   (void)point;
   fc_face_normal(form, n);
 }
 
-static void weights(const fc_prepared *prepared, const int64_t direction[3], uint32_t weight_q30[3]) {
+void fc_triangle_weights(const fc_prepared *prepared, const int64_t direction[3], uint32_t weight_q30[3]) {
   /* vertex i is opposite edge i + 1; the edge forms add up to normal . direction */
   fc_num whole = fc_num_from_abs(fc_i128_dot(prepared->u.triangle.normal, direction));
   uint8_t i;
@@ -301,7 +185,7 @@ static bool vertex_range(const fc_group *group, uint32_t *near, uint32_t *far) {
   return low > 0;
 }
 
-static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
+void fc_triangle_depth_range(const fc_frame *frame, const fc_group *group, uint64_t *near, uint64_t *far) {
   const fc_placed_vertex *placed = fc_mesh_vertices(group->memory);
   uint32_t least, most;
   uint16_t i;
@@ -329,30 +213,7 @@ static void depth_range(const fc_frame *frame, const fc_group *group, uint64_t *
   }
 }
 
-const fc_kind fc_kind_triangle FC_ROM = {check,
-                                         fc_mesh_memory,
-                                         extent,
-                                         place,
-                                         fc_triangle_fetch,
-                                         prepare,
-                                         test,
-                                         blocked,
-                                         facing,
-                                         normal,
-                                         side,
-                                         weights,
-                                         depth_range,
-                                         fc_triangle_project,
-                                         NULL, /* window, draw: strips are drawn whole */
-                                         NULL,
-                                         fc_triangle_shadow,
-                                         fc_triangle_between,
-                                         NULL,
-                                         fc_triangle_strip,
-                                         bounds,
-                                         fc_triangle_casts,
-                                         NULL,
-                                         NULL};
+const fc_kind fc_kind_triangle FC_ROM = FC_KIND_OF_TRIANGLES(check, extent, place, fc_triangle_fetch);
 
 /* The same, but for its shadow (outline.c). */
 const fc_kind fc_kind_convex FC_ROM = {check,
@@ -360,22 +221,22 @@ const fc_kind fc_kind_convex FC_ROM = {check,
                                        extent,
                                        place,
                                        fc_triangle_fetch,
-                                       prepare,
-                                       test,
-                                       blocked,
-                                       facing,
-                                       normal,
-                                       side,
-                                       weights,
-                                       depth_range,
+                                       fc_triangle_prepare,
+                                       fc_triangle_test,
+                                       fc_triangle_blocked,
+                                       fc_triangle_facing,
+                                       fc_triangle_normal,
+                                       fc_triangle_side,
+                                       fc_triangle_weights,
+                                       fc_triangle_depth_range,
                                        fc_convex_project,
-                                       fc_triangle_window,
+                                       NULL, /* window, draw: strips are drawn whole */
                                        NULL,
                                        fc_triangle_shadow,
                                        fc_triangle_between,
                                        NULL,
                                        fc_convex_strip,
-                                       bounds,
+                                       fc_triangle_bounds,
                                        fc_triangle_casts,
                                        fc_convex_cast,
                                        fc_convex_settle};

@@ -14,6 +14,8 @@ from tree import PUBLIC, ROOT, SOURCES, Failure, licence, version, write_whole
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+"([^"\n]+)"[^\n]*\n', re.M)
 
+GUARD = re.compile(r"^#ifndef (\w+)\n#define \1\n(.*)^#endif\n", re.M | re.S)
+
 INTRODUCTION = """\
 /*
  * fixcast {version}: an exact ray caster in integers only, for chips without floating point. Made from its sources; do not edit.
@@ -37,6 +39,10 @@ NO_CXX = """\
 
 def is_public(name):
     return name.startswith("fixcast/")
+
+
+def free_name(name, taken):
+    return name if name not in taken else free_name(name + "_own", taken)
 
 
 class Amalgamation:
@@ -69,17 +75,26 @@ class Amalgamation:
         self.done.add(path)
         return new
 
+    def source(self, path):
+        """A source's text. Headers that are code for several sources, each with functions of its own, are a part of it."""
+        def template(match):
+            found = self.find(match.group(1), path.parent)
+            text = found.read_text(encoding="utf-8")
+            return GUARD.sub(r"\2", text) if c_names.has_private_functions(text) else match.group()
+        return INCLUDE.sub(template, path.read_text(encoding="utf-8"))
+
     def implementation(self):
         """All sources, none seeing another's private names."""
-        paths = [path for place in SOURCES for path in sorted((ROOT / place).glob("*.c"))]
-        private = {path: c_names.private_names(path.read_text(encoding="utf-8")) for path in paths}
+        texts = {path: self.source(path) for place in SOURCES for path in sorted((ROOT / place).glob("*.c"))}
+        private = {path: c_names.private_names(text) for path, text in texts.items()}
         often = collections.Counter(name for names in private.values() for name in names)
+        words = {word for text in texts.values() for word in re.findall(r"\w+", text)}
         parts = []
-        for path in paths:
-            renamed = {name: f"fc_{path.stem}_{name}" for name in private[path]
+        for path, text in texts.items():
+            renamed = {name: free_name(f"fc_{path.stem}_{name}", words) for name in private[path]
                        if often[name] > 1 or not name.lower().startswith("fc_")}
             parts.append(f"/* ---- {path.name} ---- */\n\n"
-                         + self.expand(path, c_names.rename(path.read_text(encoding="utf-8"), renamed)))
+                         + self.expand(path, c_names.rename(text, renamed)))
         return "\n".join(parts)
 
     def text(self):

@@ -87,6 +87,12 @@ def private_names(text):
     return names
 
 
+def has_private_functions(text):
+    """Whether a header defines functions that each of its sources has for itself, and which therefore are not inline."""
+    return any(tokens[0] == "static" and "inline" not in tokens and is_function(tokens) and tokens[-1] == "}"
+               for tokens in declarations(text))
+
+
 def rename(text, renamed):
     """The text with names replaced, except members of structs, whose names are their struct's."""
     tokens = tokens_of(text)

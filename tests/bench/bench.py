@@ -96,10 +96,12 @@ def measure(workshop, image, options, last):
 def quick(options):
     """Counts images one after the other and prints them."""
     work = pathlib.Path(options.work)
-    workshop = images.Workshop(work, bench_scenes.Scenes(work, options.simulator), options.source)
+    files = [scene for scene in options.scene if pathlib.Path(scene).suffix]
+    workshop = images.Workshop(work, bench_scenes.Scenes(work, options.simulator, files), options.source)
     seen = work / "last.json"
     last = json.loads(seen.read_text()) if seen.exists() else {}
-    todo = itertools.product(options.scene, options.size, options.target, options.opt, options.renderer)
+    scenes = [bench_scenes.name_of(scene) for scene in options.scene]
+    todo = itertools.product(scenes, options.size, options.target, options.opt, options.renderer)
     right = [measure(workshop, Image(target, renderer, scene, *size, opt, PROFILES.index(options.profile)), options, last)
              for scene, size, target, opt, renderer in todo]
     seen.write_text(json.dumps(last))
@@ -109,7 +111,8 @@ def quick(options):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     chips = [name for name in TARGETS if name != "host"]
-    parser.add_argument("--scene", type=lambda text: text.split(","), default=["s1"], metavar="NAME")
+    parser.add_argument("--scene", type=lambda text: text.split(","), default=["s1"], metavar="NAME",
+                        help="of host_sim/scenes or of the bench, or a scene file")
     parser.add_argument("--size", type=lambda text: [size_of(word) for word in text.split(",")], default=[(128, 128)],
                         metavar="WxH")
     parser.add_argument("--target", type=list_of(chips), default=["m0plus"], metavar="NAME", help=", ".join(chips))

@@ -16,16 +16,25 @@ def outdated(made, *sources):
     return not made.exists() or made.stat().st_mtime < max(source.stat().st_mtime for source in sources)
 
 
+def name_of(file):
+    """A name for C from a file's name."""
+    return "".join(c if c.isalnum() else "_" for c in pathlib.Path(file).stem)
+
+
 class Scenes:
     """Makes what is missing or older than its source, under one directory."""
 
-    def __init__(self, work, simulator):
+    def __init__(self, work, simulator, files=()):
+        """`files`: scenes from elsewhere, each named by its file's name without the ending."""
         self.place, self.simulator = pathlib.Path(work).resolve() / "scenes", pathlib.Path(simulator)
+        self.files = {name_of(file): pathlib.Path(file) for file in files}
         self.place.mkdir(parents=True, exist_ok=True)
 
     @functools.lru_cache(maxsize=None)
     def source(self, scene):
-        """The NFF file of a scene."""
+        """The file of a scene."""
+        if scene in self.files:
+            return self.files[scene]
         path = SCENES / f"{scene}.nff"
         if path.exists():
             return path
@@ -42,6 +51,8 @@ class Scenes:
     @functools.lru_cache(maxsize=None)
     def kind(self, scene):
         """quadrics: spheres and planes; mesh: triangles in final colours; other: anything else."""
+        if self.source(scene).suffix == ".obj":
+            return "other"
         text = self.source(scene).read_text()
         if not re.search(r"^pp? ", text, re.MULTILINE):
             return "quadrics"

@@ -15,11 +15,15 @@ import time
 import zlib
 
 import picture_files
-from support import SCENES, Report
+from support import ROOT, SCENES, Report
 from xscreen import Screen
 
 S1 = SCENES / "s1.nff"
 WIDTH, HEIGHT, ZOOM = 80, 60, 5
+# docs/REPORT.md's row of S1 on the smallest chip
+COUNTED = dict(zip(("exact", "fast", "half", "interlaced"),
+                   re.findall(r"\| ([\d.]+)(?= )", re.search(r"^\| Cortex-M0\+ \| S1 (\|.*)$", (ROOT / "docs/REPORT.md").read_text(),
+                                                             re.MULTILINE).group(1))))
 EYE, PIVOT = 1, (-7 - 2.5) / 2  # z of S1's camera and of the middle of its spheres; x = 0, y = 1.5
 
 
@@ -146,6 +150,43 @@ def check_mouse(simulator, view, directory, report, still):
     report.equal("reset after a move", still, view.settled()[0])
 
 
+def difference(a, b):
+    """Pixels that differ, and the largest difference of a channel."""
+    pixels = [(p[i:i + 3], q[i:i + 3]) for p, q in zip(a, b) for i in range(0, len(p), 3)]
+    levels = [max(abs(m - n) for m, n in zip(p, q)) for p, q in pixels]
+    return sum(level > 0 for level in levels), max(levels)
+
+
+def check_gallery(simulator, view, directory, report, still):
+    """The switches of the fault gallery: each state is what `render` makes of the same words, and the last is the first again."""
+    seen_crcs = {still}
+    for key, option, words, name in (("t", "--transfer", ("srgb", "gamma22"), ("sRGB", "gamma 2.2")),
+                                     ("m", "--samples", ("regular:2", "quincunx"), ("regular:2", "quincunx"))):
+        for word, shown in zip(words, name):
+            view.key(key)
+            seen = view.settled()
+            report.equal(f"key {key}: {word}", crc(render(simulator, directory, option, word)), seen[0])
+            report.check(shown in seen[4] and seen[0] not in seen_crcs, f"key {key}: {seen}")
+            seen_crcs.add(seen[0])
+            shot(view, directory)
+        view.key(key)
+        report.equal(f"key {key}: back", still, view.settled()[0])
+    view.key("2")
+    usual = view.settled()[0]
+    depths = set()
+    for bits in "234":
+        view.key("z")
+        seen = view.settled()
+        report.equal(f"key z: {bits}", crc(render(simulator, directory, "--show", "depth", "--depth-bits", bits)), seen[0])
+        report.check(f"e{bits} depth" in seen[4], seen[4])
+        depths.add(seen[0])
+    report.equal("pictures of three depth formats", 3, len(depths))
+    view.key("z")
+    report.equal("key z: back", usual, view.settled()[0])
+    view.key("1")
+    report.equal("after the gallery", still, view.settled()[0])
+
+
 def check_keys(simulator, view, directory, report, still):
     for number, layer in enumerate(("color", "depth", "normal", "id", "shadow", "error"), 1):
         view.key(str(number))
@@ -153,19 +194,31 @@ def check_keys(simulator, view, directory, report, still):
         report.equal(f"key {number}", crc(render(simulator, directory, "--show", layer)), seen[0])
         report.check(layer in seen[4], f"key {number}: {seen[4]}")
     report.check("0 wrong ids, 0 wrong shadows" in seen[4], f"error view: {seen[4]}")
+    report.check(re.search(r"depth codes alone would confuse \d+ pixel", seen[4]), f"error view: {seen[4]}")
     view.key("1")
     view.settled()
+    exact = render(simulator, directory)
     for profile in ("fast", "half", "interlaced", "exact"):
         view.key("p")
         seen = view.settled()
         report.equal(f"profile {profile}", crc(render(simulator, directory, "--profile", profile)), seen[0])
         report.check(profile + " profile" in seen[4], seen[4])
+        counted = re.search(r"\(([\d.]+) instructions a pixel on Cortex-M0\+", seen[4])
+        report.check(counted and COUNTED[profile] == counted.group(1), f"{profile}: {seen[4]} instead of {COUNTED[profile]}")
+        unlike_exact = re.search(r": (\d+) pixels? unlike exact, by (\d+) levels? at most", seen[4])
+        if profile == "exact":
+            report.check(not unlike_exact, seen[4])
+        else:
+            report.equal(f"{profile}: what is unlike exact", difference(exact, render(simulator, directory, "--profile", profile)),
+                         unlike_exact and tuple(map(int, unlike_exact.groups())))
     view.key("o")
     report.equal("no offset", crc(render(simulator, directory, "--offset", "none")), view.settled()[0])
     view.key("o")
     view.settled()
     view.key("o")
     report.equal("exact shadows again", still, view.settled()[0])
+
+    check_gallery(simulator, view, directory, report, still)
 
     view.key("g")
     seen = view.settled()

@@ -269,7 +269,7 @@ int expect_blocked(const fc_scene &scene, const fc_vec3 &from, const fc_vec3 &to
       else if (shapes.kind == &fc_kind_plane)
         one = plane_blocks(static_cast<const fc_plane *>(shapes.items)[i], Point(from), Point(to));
       else
-        one = triangle_blocks(shapes.vertices, static_cast<const fc_triangle *>(shapes.items)[i], Point(from),
+        one = triangle_blocks(static_cast<const fc_vec3 *>(shapes.vertices), static_cast<const fc_triangle *>(shapes.items)[i], Point(from),
                               Point(to));
       if (one == 1) return 1;
       if (one < 0) expected = -1;

@@ -46,10 +46,10 @@ public:
     if (spheres_.empty() && planes_.empty() && triangles_.empty()) add_sphere();
     for (int64_t i = random.within(0, 9) < 7 ? 1 : random.within(0, 3); i > 0; i--) add_light();
     add_materials();
-    for (fc_shapes shapes : {fc_shapes{&fc_kind_sphere, spheres_.data(), nullptr, size(spheres_), 0, nullptr, nullptr, 0},
-                             fc_shapes{&fc_kind_plane, planes_.data(), nullptr, size(planes_), 0, nullptr, nullptr, 0},
+    for (fc_shapes shapes : {fc_shapes{&fc_kind_sphere, spheres_.data(), nullptr, size(spheres_), 0, nullptr, nullptr, 0, 0},
+                             fc_shapes{&fc_kind_plane, planes_.data(), nullptr, size(planes_), 0, nullptr, nullptr, 0, 0},
                              fc_shapes{&fc_kind_triangle, triangles_.data(), vertices_.data(),
-                                       size(triangles_), size(vertices_), nullptr, nullptr, 0}})
+                                       size(triangles_), size(vertices_), nullptr, nullptr, 0, 0}})
       tables_.insert(tables_.begin() + random.within(0, static_cast<int64_t>(tables_.size())), shapes);
     std::memset(&scene, 0, sizeof scene);
     scene.shapes = tables_.data();

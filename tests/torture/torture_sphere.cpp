@@ -146,7 +146,7 @@ uint64_t behind(Random &random) {
 uint64_t refused(Random &random) {
   fc_sphere items[3];
   const fc_material white = {{1, 1, 1}, 0, NULL};
-  fc_shapes table = {&fc_kind_sphere, items, nullptr, 3, 0, nullptr, nullptr, 0};
+  fc_shapes table = {&fc_kind_sphere, items, nullptr, 3, 0, nullptr, nullptr, 0, 0};
   fc_scene scene = {};
   for (fc_sphere &s : items) {
     s.center = to_core(random.vec(30));
