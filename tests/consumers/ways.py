@@ -18,6 +18,9 @@ SMALL, USUAL = "32x24", "128x128"
 STRICT = ["-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wundef", "-pedantic", "-Werror"]
 SECTIONS = ["-ffunction-sections", "-fdata-sections"]
 FRAME = ["-DSCENE=s1", f"-DWIDTH={SMALL.split('x')[0]}", f"-DHEIGHT={SMALL.split('x')[1]}"]
+# A program with display controllers and without the core.
+PANEL = '#include "fixcast/fixcast.h"\nint main(void) { return fc_panels[0] != NULL && fc_panel_st7789_240.width == 240 ? 0 : 1; }\n'
+PANEL_TARGET = "add_executable(panel panel.c)\ntarget_link_libraries(panel PRIVATE fixcast::panel)\n"
 
 
 class Ways:
@@ -63,9 +66,11 @@ class Ways:
     def use_find_package(self):
         for kind in ("static", "shared"):
             project = Project(self.work / f"find_package_{kind}")
-            (project.place / "CMakeLists.txt").write_text(readme_block("CMakeLists.txt: find_package"))
+            (project.place / "CMakeLists.txt").write_text(readme_block("CMakeLists.txt: find_package") + PANEL_TARGET)
+            (project.place / "panel.c").write_text(PANEL)
             project.cmake(f"-DCMAKE_PREFIX_PATH={self.prefix(kind)}")
             project.expect(USUAL, "build/spheres")
+            execute([project.place / "build/panel"])
         # A version that is not there is refused.
         (project.place / "CMakeLists.txt").write_text(readme_block("CMakeLists.txt: find_package").replace("fixcast 0.1", "fixcast 0.0"))
         refused = subprocess.run(["cmake", "-S", project.place, "-B", project.place / "old", f"-DCMAKE_PREFIX_PATH={self.prefix('static')}"],
@@ -76,8 +81,12 @@ class Ways:
     def use_pkg_config(self):
         for kind in ("static", "shared"):
             project, library = Project(self.work / f"pkg_config_{kind}"), self.prefix(kind) / "lib"
-            project.shell(readme_block("shell: pkg-config"), PKG_CONFIG_PATH=str(library / "pkgconfig"))
+            (project.place / "panel.c").write_text(PANEL)
+            lines = readme_block("shell: pkg-config")
+            lines += lines.replace("libs fixcast", "libs fixcast-panel").replace("main.c", "panel.c").replace("spheres", "panel")
+            project.shell(lines, PKG_CONFIG_PATH=str(library / "pkgconfig"))
             project.expect(USUAL, "./spheres", LD_LIBRARY_PATH=str(library))
+            execute([project.place / "panel"], env=environment(LD_LIBRARY_PATH=str(library)))
 
     def use_exports(self):
         """What a shared library shows: all that the headers declare, as the compiler reads them, and nothing else."""
