@@ -109,6 +109,10 @@ class Ways:
         self.amalgamate(project.place)
         project.shell(readme_block("shell: single header"))
         project.expect(USUAL, "./spheres")
+        # What S1 does not name is not linked.
+        linked = set(re.findall(r"\bfc_kind_\w+|\bfc_layer_phong\b|\bfc_panels\b", execute(["nm", project.place / "spheres"])))
+        if linked != {"fc_kind_sphere", "fc_kind_plane"}:
+            raise Failure(f"S1 made of one header brings along {sorted(linked)}")
         # No warning (gcc's are errors where the target `amalgamated` is built); no name that is not the library's own, not even a private one.
         execute(["clang", "-std=c99", "-O1", *STRICT, "-c", "-I.", "fixcast.c", "-o", "clang.o"], cwd=project.place)
         names = [line.split()[-1] for line in execute(["nm", project.place / "clang.o"]).splitlines() if " U " not in line]
