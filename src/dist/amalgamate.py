@@ -10,7 +10,7 @@ import re
 import sys
 
 import c_names
-from tree import PUBLIC, ROOT, SOURCES, Failure, licence, version, write_whole
+from tree import PUBLIC, ROOT, SOURCES, Failure, command, licence, version
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+"([^"\n]+)"[^\n]*\n', re.M)
 
@@ -105,17 +105,5 @@ class Amalgamation:
                 + NO_CXX + "\n" + implementation + "\n#endif\n")
 
 
-def main(arguments):
-    if len(arguments) != 1:
-        sys.exit("usage: amalgamate.py OUT.h")
-    try:
-        write_whole(arguments[0], Amalgamation().text())
-    except Failure as failure:
-        sys.exit(str(failure))
-    except OSError as problem:
-        sys.exit(f"{problem.filename}: {problem.strerror}")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(command(sys.argv[1:], "amalgamate.py OUT.h", lambda: Amalgamation().text()))

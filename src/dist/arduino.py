@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 from amalgamate import Amalgamation
-from tree import Failure, licence, version, write_whole
+from tree import command, licence, version
 from zip_file import zip_of
 
 HERE = pathlib.Path(__file__).resolve().parent / "arduino"
@@ -37,17 +37,5 @@ def files(scene):
     return {f"fixcast/{path}": text for path, text in content.items()}
 
 
-def main(arguments):
-    if len(arguments) != 2:
-        sys.exit("usage: arduino.py BAKED_S1.c OUT.zip")
-    try:
-        write_whole(arguments[1], zip_of(files(arguments[0])))
-    except Failure as failure:
-        sys.exit(str(failure))
-    except OSError as problem:
-        sys.exit(f"{problem.filename}: {problem.strerror}")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(command(sys.argv[1:], "arduino.py BAKED_S1.c OUT.zip", lambda scene: zip_of(files(scene))))

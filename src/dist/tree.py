@@ -30,3 +30,16 @@ def write_whole(path, data):
     path = pathlib.Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     replace_whole(path, data if isinstance(data, bytes) else data.encode("utf-8"))
+
+
+def command(arguments, usage, make):
+    """A maker of one file as a program: `make` gets the arguments but the last, which says where its text or bytes go."""
+    if len(arguments) != len(usage.split()) - 1:
+        sys.exit(f"usage: {usage}")
+    try:
+        write_whole(arguments[-1], make(*arguments[:-1]))
+    except Failure as failure:
+        sys.exit(str(failure))
+    except OSError as problem:
+        sys.exit(f"{problem.filename}: {problem.strerror}")
+    return 0

@@ -18,6 +18,9 @@ SMALL, USUAL = "32x24", "128x128"
 STRICT = ["-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wundef", "-pedantic", "-Werror"]
 SECTIONS = ["-ffunction-sections", "-fdata-sections"]
 FRAME = ["-DSCENE=s1", f"-DWIDTH={SMALL.split('x')[0]}", f"-DHEIGHT={SMALL.split('x')[1]}"]
+# A program with display controllers and without the core.
+PANEL = '#include "fixcast/fixcast.h"\nint main(void) { return fc_panels[0] != NULL && fc_panel_st7789_240.width == 240 ? 0 : 1; }\n'
+PANEL_TARGET = "add_executable(panel panel.c)\ntarget_link_libraries(panel PRIVATE fixcast::panel)\n"
 
 
 class Ways:
@@ -63,9 +66,11 @@ class Ways:
     def use_find_package(self):
         for kind in ("static", "shared"):
             project = Project(self.work / f"find_package_{kind}")
-            (project.place / "CMakeLists.txt").write_text(readme_block("CMakeLists.txt: find_package"))
+            (project.place / "CMakeLists.txt").write_text(readme_block("CMakeLists.txt: find_package") + PANEL_TARGET)
+            (project.place / "panel.c").write_text(PANEL)
             project.cmake(f"-DCMAKE_PREFIX_PATH={self.prefix(kind)}")
             project.expect(USUAL, "build/spheres")
+            execute([project.place / "build/panel"])
         # A version that is not there is refused.
         (project.place / "CMakeLists.txt").write_text(readme_block("CMakeLists.txt: find_package").replace("fixcast 0.1", "fixcast 0.0"))
         refused = subprocess.run(["cmake", "-S", project.place, "-B", project.place / "old", f"-DCMAKE_PREFIX_PATH={self.prefix('static')}"],
@@ -76,8 +81,12 @@ class Ways:
     def use_pkg_config(self):
         for kind in ("static", "shared"):
             project, library = Project(self.work / f"pkg_config_{kind}"), self.prefix(kind) / "lib"
-            project.shell(readme_block("shell: pkg-config"), PKG_CONFIG_PATH=str(library / "pkgconfig"))
+            (project.place / "panel.c").write_text(PANEL)
+            lines = readme_block("shell: pkg-config")
+            lines += lines.replace("libs fixcast", "libs fixcast-panel").replace("main.c", "panel.c").replace("spheres", "panel")
+            project.shell(lines, PKG_CONFIG_PATH=str(library / "pkgconfig"))
             project.expect(USUAL, "./spheres", LD_LIBRARY_PATH=str(library))
+            execute([project.place / "panel"], env=environment(LD_LIBRARY_PATH=str(library)))
 
     def use_exports(self):
         """What a shared library shows: all that the headers declare, as the compiler reads them, and nothing else."""
@@ -100,6 +109,10 @@ class Ways:
         self.amalgamate(project.place)
         project.shell(readme_block("shell: single header"))
         project.expect(USUAL, "./spheres")
+        # What S1 does not name is not linked.
+        linked = set(re.findall(r"\bfc_kind_\w+|\bfc_layer_phong\b|\bfc_panels\b", execute(["nm", project.place / "spheres"])))
+        if linked != {"fc_kind_sphere", "fc_kind_plane"}:
+            raise Failure(f"S1 made of one header brings along {sorted(linked)}")
         # No warning (gcc's are errors where the target `amalgamated` is built); no name that is not the library's own, not even a private one.
         execute(["clang", "-std=c99", "-O1", *STRICT, "-c", "-I.", "fixcast.c", "-o", "clang.o"], cwd=project.place)
         names = [line.split()[-1] for line in execute(["nm", project.place / "clang.o"]).splitlines() if " U " not in line]
