@@ -188,8 +188,8 @@ def filters(g):
                           (("--samples", "regular:6", "--filter", "tent"), "tent"), (("--samples", "regular:6", "--filter", "gaussian"), "Gaussian"),
                           (("--samples", "regular:6", "--filter", "mitchell"), "Mitchell")):
         picture, _ = g.picture(SCENES / "show.nff", "--size", "120x120", "--transfer", "srgb", *options)
-        panels.append((picture[22:62, 36:96], name))
-    g.save("filters", "Reconstruction of 6 x 6 rays a pixel (a crop of 60 x 40 pixels)", panels)
+        panels.append((picture[38:62, 36:72], name))
+    g.save("filters", "Reconstruction of 6 x 6 rays a pixel (a crop of 36 x 24 pixels)", panels)
 
 
 def dither(g):
@@ -215,7 +215,9 @@ def aliasing(g):
         picture, facts = g.picture(SCENES / "show.nff", "--size", "96x96", "--transfer", "srgb", *options)
         cost = instructions(g, pattern, 96) / 1000
         panels.append((picture[18:50, 30:78], f"{name}: {facts['rays'] / (96 * 96):.2f} rays,\n{cost:.0f} thousand instructions a pixel"))
-    g.save("aliasing", "Aliasing and its cures (`show` at 96 x 96, a crop of 48 x 32 pixels; instructions on a Cortex-M3)", panels)
+    counts, _ = g.picture(SCENES / "show.nff", "--size", "96x96", "--samples", "quincunx", "--show", "samples")
+    panels.append((counts[18:50, 30:78], "where its rays go:\nbright is many"))
+    g.save("aliasing", "Aliasing and its cures (`show` at 96 x 96, a crop of 48 x 32 pixels; instructions on a Cortex-M3)", panels, columns=3)
 
 
 def instructions(g, pattern, size):
