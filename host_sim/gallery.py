@@ -141,7 +141,8 @@ def cracks(g):
         image[wrong] = (255, 0, 255)
         panels.append((image[crop], f"{bits} bits and a sign:\n{int(wrong.sum())} pixels show what is behind"))
     panels.append((core[crop], f"exact (the core):\n{g.compare(SCENES / 's2.nff', '--size', '128x128')['wrong_id']} pixels"))
-    g.save("cracks", "Cracks, magenta: edge coefficients rounded triangle by triangle (S2, 1016 triangles, a crop; counts of the whole frame)", panels)
+    g.save("cracks",
+           "Cracks, magenta: edge coefficients rounded triangle by triangle (S2, 1016 triangles, a crop; counts of the whole frame)", panels)
 
 
 def depth_bits(g):
@@ -157,7 +158,8 @@ def depth_bits(g):
         wrong = int(((meshes.objects(mesh, shown) != true) & ~ball).sum())
         panels.append((numpy.where(ball[:, :, None], core, meshes.picture(mesh, shown)), f"{bits} bits of 1/z:\n{wrong} pixels wrong"))
     panels.append((core, f"ours, 16 bits and an exact tie rule:\n{g.compare(SCENES / 'fight.nff')['wrong_id']} pixels wrong"))
-    g.save("depthbits", "Z-fighting by bits: orange cards 2^-8 (left) to 2^-15 (right) of their distance in front of blue ones; rows 4, 40, 400, 4000 away", panels)
+    g.save("depthbits",
+           "Z-fighting by bits: orange cards 2^-8 (left) to 2^-15 (right) of their distance in front of blue; rows 4, 40, 400, 4000 away", panels)
 
 
 def culling(g):

@@ -32,7 +32,7 @@ def wrong_table(rivals):
 
 
 def cost_table(counted, rivals, digest):
-    """Wrong pixels and instructions a pixel of each method that was counted; a sentence where there is none or it was of other sources than `digest` is of."""
+    """Wrong pixels and instructions a pixel of each method that was counted; a sentence where there is none or of other sources than `digest`'s."""
     if counted is None or rivals is None:
         return "Not counted here: `make bench` writes build/bench/methods.json, then `make report` again."
     if counted["digest"] != digest:

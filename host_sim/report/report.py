@@ -118,9 +118,10 @@ method.
 
 {rivals}
 
-What seeing alone costs, in instructions a pixel: the methods in float (software on these chips) with scene and unit directions at hand, closest hit a pixel for
-spheres and triangles, the others for triangles; ours exact, set-up included, drawn without lights. Each chip's picture is, primitive for primitive,
-the one judged above.
+What seeing alone costs, in instructions a pixel: the methods in float (software on these chips) with scene and unit directions at hand, closest hit a
+pixel for spheres and triangles, the others for triangles; ours exact, set-up included, drawn without lights. The methods are textbook loops that ask each
+pixel of a polygon's box; a float rasteriser that steps along rows is in S2's table above. Each chip's picture is, primitive for primitive, the one judged
+above.
 
 {methods}
 

@@ -33,7 +33,8 @@ def build(workshop, scene, method, chip):
     target = TARGETS[chip]
     options = ["-O2", "-ffunction-sections", "-fdata-sections", *target.flags, "-I", ROOT / "include"]
     c = [f"{target.prefix}gcc", "-std=c99", *options]
-    cpp = [f"{target.prefix}g++", "-std=c++17", "-fno-exceptions", "-fno-rtti", "-fno-math-errno", "-fno-threadsafe-statics", *options, "-Wall", "-Wextra", "-Werror",
+    cpp = [f"{target.prefix}g++", "-std=c++17", "-fno-exceptions", "-fno-rtti", "-fno-math-errno", "-fno-threadsafe-statics",
+           *options, "-Wall", "-Wextra", "-Werror",
            "-I", TESTS / "rivals"]
     todo = [([*cpp, f"-DSCENE={scene}", f"-DMETHOD={method}"], HERE / "image/method.cpp")]
     todo += [(cpp, TESTS / "rivals" / f"{name}.cpp") for name in ("picture", "rays", "surfaces")]
@@ -99,7 +100,8 @@ def main():
         digest = measured.digest(ROOT)
         rows = run(workshop, options.rivals, options.jobs)
     except FileNotFoundError as missing:
-        print(f"methods: {missing.filename} is not there: `ctest -R rivals` in the build directory writes what methods are judged by", file=sys.stderr)
+        print(f"methods: {missing.filename} is not there: `ctest -R rivals` in the build directory writes what methods are judged by",
+              file=sys.stderr)
         return 2
     except Failure as failure:
         print(f"methods: {failure}", file=sys.stderr)

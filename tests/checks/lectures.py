@@ -1,4 +1,4 @@
-"""docs/LECTURES.md names only what is there: pictures, source files, public names, tests, sections of the tree; and shows every picture of the gallery.
+"""docs/LECTURES.md names only what is there: pictures, source files, public names, tests; and it shows every picture of the gallery.
 
 lectures.py ROOT                 checks a tree
 lectures.py --self-test ROOT     proves that each kind of dead reference is noticed
@@ -41,8 +41,9 @@ def check(root, text, report):
 
 def self_test(root, text):
     report = Report()
-    for what, change in (("nothing", text), ("a picture", text + "\n![x](gallery/none.png)\n"), ("an unseen picture", text.replace("(gallery/cracks.png)", "")),
-                         ("a file", text + " none.c "), ("a name", text + " `fc_none` "), ("a test", text + " tests core_none ")):
+    for what, change in (("nothing", text), ("a picture", text + "\n![x](gallery/none.png)\n"),
+                         ("an unseen picture", text.replace("(gallery/cracks.png)", "")), ("a file", text + " none.c "),
+                         ("a name", text + " `fc_none` "), ("a test", text + " tests core_none ")):
         found = Report()
         check(root, change, found)
         report.equal(f"faults found after {what}", 0 if what == "nothing" else 1, len(found.wrong))

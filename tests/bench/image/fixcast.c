@@ -1,5 +1,5 @@
-/* The renderer "fixcast": the core drawing a baked scene, -DSCENE=s1. With -DBY_RAYS the slow definition of a frame, with -DPATTERN=fc_pattern_regular
- * -DCOUNT=4 several rays a pixel. */
+/* The renderer "fixcast": the core drawing a baked scene, -DSCENE=s1. With -DBY_RAYS the slow definition of a frame, with
+ * -DPATTERN=fc_pattern_regular -DCOUNT=4 several rays a pixel. */
 #include "fixcast/fixcast.h"
 #include "renderer.h"
 

@@ -1,6 +1,7 @@
 /*
- * One of the lectures' methods on one scene, for an emulated chip: -DSCENE=box -DMETHOD=n of the list below. Prints `crc`, of the primitive numbers it sees. What is measured
- * lies between the bench's marks: the methods in tests/rivals in float, scene and unit directions at hand; ours setting up a frame and drawing it without lights.
+ * One of the lectures' methods on one scene, for an emulated chip: -DSCENE=box -DMETHOD=n of the list in methods.py. Prints `crc`, of the primitive
+ * numbers it sees. What is measured lies between the bench's marks: the methods in tests/rivals in float, scene and unit directions at hand; ours
+ * setting up a frame and drawing it without lights.
  */
 #include <cstdlib>
 #include <new>
