@@ -1,6 +1,6 @@
 """What the lectures' methods cost on chips: instructions a pixel of tests/rivals and of ours, seeing alone, into one JSON file.
 
-methods.py [--work DIR] [--simulator FILE] [--rivals FILE]
+methods.py [--work DIR] [--simulator FILE] [--rivals FILE] [--only SCENE CHIP]
 
 Writes DIR/methods.json. FILE is what the test `rivals` wrote: a chip must see, primitive for primitive, what was judged there. Two minutes.
 """
@@ -71,8 +71,9 @@ def measure(workshop, right, case):
     return row
 
 
-def run(workshop, rivals, jobs):
-    cases = [(scene, method, chip) for scene, methods in CASES.items() for method in methods for chip in CHIPS]
+def run(workshop, rivals, jobs, only):
+    cases = [(scene, method, chip) for scene, methods in CASES.items() for method in methods for chip in CHIPS
+             if not only or (scene in only and chip in only)]
     for scene in CASES:
         workshop.scenes.baked(scene)
     counting.plugin(workshop.work)
@@ -94,11 +95,12 @@ def main():
     parser.add_argument("--simulator", default=ROOT / "build/fixcast", metavar="FILE")
     parser.add_argument("--rivals", default=ROOT / "build/rivals.json", metavar="FILE")
     parser.add_argument("--jobs", type=int, default=2, metavar="N")
+    parser.add_argument("--only", nargs=2, default=[], metavar=("SCENE", "CHIP"), help="that alone, into methods-part.json")
     options = parser.parse_args()
     try:
         workshop = images.Workshop(options.work, bench_scenes.Scenes(options.work, options.simulator), jobs=1)
         digest = measured.digest(ROOT)
-        rows = run(workshop, options.rivals, options.jobs)
+        rows = run(workshop, options.rivals, options.jobs, options.only)
     except FileNotFoundError as missing:
         print(f"methods: {missing.filename} is not there: `ctest -R rivals` in the build directory writes what methods are judged by",
               file=sys.stderr)
@@ -106,7 +108,7 @@ def main():
     except Failure as failure:
         print(f"methods: {failure}", file=sys.stderr)
         return 2
-    out = options.work / "methods.json"
+    out = options.work / ("methods-part.json" if options.only else "methods.json")
     fresh = out.with_suffix(".tmp")
     fresh.write_text(json.dumps({"digest": digest, "rows": rows}, indent=1) + "\n", encoding="utf-8")
     fresh.replace(out)
