@@ -60,8 +60,9 @@ report: ## rewrite docs/REPORT.md and its plots from what `make bench` counted, 
 	@$(MAKE) build
 	@$(BUILD)/fixcast report
 
-gallery: ## rewrite docs/gallery: what goes wrong in a ray caster and the cure, in pictures with numbers (a minute)
+gallery: ## rewrite docs/gallery: what goes wrong in a ray caster and the cure, in pictures with numbers (two minutes)
 	@.ci/install report
+	@.ci/install bench
 	@$(MAKE) build
 	@python3 host_sim/gallery.py $(BUILD)/fixcast docs/gallery
 
@@ -69,6 +70,8 @@ bench: ## count what frames cost on chips, ours and other renderers', into build
 	@.ci/install bench
 	@$(MAKE) build
 	@python3 tests/bench/suite.py --simulator $(BUILD)/fixcast --work $(BUILD)/bench --jobs $(JOBS)
+	@cmake --build $(BUILD) --parallel $(JOBS) --target rivals >/dev/null && $(BUILD)/tests/rivals -o $(BUILD)/rivals.json >/dev/null
+	@python3 tests/bench/methods.py --simulator $(BUILD)/fixcast --work $(BUILD)/bench --rivals $(BUILD)/rivals.json --jobs $(JOBS)
 
 bench-update: ## rewrite tests/bench/recorded.txt: the counts that the test bench_s1 lets grow by 3 % at most
 	@.ci/install bench

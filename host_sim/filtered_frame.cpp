@@ -27,7 +27,7 @@ std::uint8_t level_of(double light, unsigned most, const fc_transfer *transfer) 
   return static_cast<std::uint8_t>(std::upper_bound(table, table + most, std::ldexp(light, 24)) - table);
 }
 
-/* The camera of which a frame `n` times as wide and high covers the same picture: NFF's rule goes by pixel centres, of which the larger frame has others. */
+/* The camera of which a larger frame covers the same picture: NFF's rule goes by pixel centres, of which the larger frame has others. */
 fc_camera between_edges(const fc_camera &of, int shorter) {
   fc_camera camera = of;
   if (of.fov_rule == FC_FOV_EDGES) return camera;
@@ -44,12 +44,14 @@ fc_camera between_edges(const fc_camera &of, int shorter) {
 }
 
 /* The larger frame as FC_RGB888. */
-std::vector<std::uint8_t> sampled(const CoreScene &core, const fc_options &options, const Sampling &sampling, int width, int height, int side, bool quiet) {
+std::vector<std::uint8_t> sampled(const CoreScene &core, const fc_options &options, const Sampling &sampling, int width, int height, int side,
+                                  bool quiet) {
   const fc_camera camera = between_edges(core.camera, std::min(width, height));
   const int wide = width * side, high = height * side;
   if (wide > FC_SIZE_MAX || high > FC_SIZE_MAX)
     throw UserError("--filter: " + std::to_string(side) + " x " + std::to_string(side) + " rays for each of " + std::to_string(width) + "x" +
-                    std::to_string(height) + " pixels are more than " + std::to_string(FC_SIZE_MAX) + " in a row; give fewer rays or a smaller --size");
+                    std::to_string(height) + " pixels are more than " + std::to_string(FC_SIZE_MAX) +
+                    " in a row; give fewer rays or a smaller --size");
   int error = FC_OK;
   fc_frame frame{};
   std::vector<std::int64_t> memory(fc_frame_memory(&core.scene, &error) / sizeof(std::int64_t) + 1);

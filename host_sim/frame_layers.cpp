@@ -39,8 +39,8 @@ public:
     } else if (layer == "id") {
       fill("id", SampleType::u32, [&](std::size_t i) { return static_cast<double>(picture_.object[i]); });
     } else if (layer == "samples") {
-      const double samples = frame_.get().options.profile == FC_PROFILE_HALF ? 0.25 : 1;
-      fill("samples", SampleType::f32, [&](std::size_t) { return samples; });
+      const double alone = frame_.get().options.profile == FC_PROFILE_HALF ? 0.25 : 1;
+      fill("samples", SampleType::f32, [&](std::size_t i) { return picture_.samples.empty() ? alone : picture_.samples[i]; });
     } else if (layer == "shadow") {
       add_shadow();
     } else if (layer == "error") {
@@ -162,7 +162,8 @@ Image8 layer_picture(const Raster &raster, const std::string &layer) {
     paint([&](std::size_t i) { return id_colour(static_cast<std::uint32_t>(id[i])); });
   } else if (layer == "samples") {
     const std::vector<double> &samples = channel(raster, "samples").samples;
-    paint([&](std::size_t i) { return grey(std::min(samples[i], 4.0) * 63.75); });
+    const double white = std::max(4.0, *std::max_element(samples.begin(), samples.end()));
+    paint([&](std::size_t i) { return grey(255 * samples[i] / white); });
   } else if (layer == "shadow") {
     const std::vector<double> &shadow = channel(raster, "shadow").samples;
     paint([&](std::size_t i) { return grey(255 * shadow[i]); });

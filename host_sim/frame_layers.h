@@ -3,7 +3,8 @@
  *
  * R G B: colour as shown, 0..1. A: 1 on a surface, 0 on background. Z: distance along the viewing axis, world units, infinity on
  * background. N.X N.Y N.Z: unit normal towards the eye, world axes, 0 on background. id: the object. samples: camera rays
- * a pixel (1; 1/4 in the half profile). shadow: the part of the lights, of the first 32, that does not reach the surface, 0..1; 0 on background.
+ * a pixel (1; 1/4 in the half profile; as many as --samples took).
+ * shadow: the part of the lights, of the first 32, that does not reach the surface, 0..1; 0 on background.
  * error: largest difference of a colour channel to the exact colour, in 8-bit levels; only where the oracle was asked.
  */
 #ifndef FIXCAST_HOST_FRAME_LAYERS_H

@@ -10,6 +10,12 @@ import tempfile
 
 import matplotlib
 
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "tests/bench"))
+import bench_scenes  # noqa: E402 - the bench counts instructions
+import counting  # noqa: E402
+import images  # noqa: E402
+
 matplotlib.use("Agg")
 matplotlib.rcParams["svg.hashsalt"] = "fixcast"
 import matplotlib.pyplot as plt  # noqa: E402
@@ -23,7 +29,7 @@ INCH = 2.6
 
 class Gallery:
     def __init__(self, simulator, directory):
-        self.simulator = simulator
+        self.simulator = pathlib.Path(simulator).resolve()
         self.directory = pathlib.Path(directory)
         self.directory.mkdir(parents=True, exist_ok=True)
         self.temporary = tempfile.TemporaryDirectory()
@@ -82,7 +88,7 @@ class Gallery:
 
 
 def per_million(value):
-    return f"{value:.3g}"
+    return f"{value:,.0f}"
 
 
 def acne(g):
@@ -90,7 +96,7 @@ def acne(g):
     s1 = SCENES / "s1.nff"
     panels = []
     for rule, name in (("none", "no offset: acne"), ("epsilon=0.00000001", "epsilon 1e-8: acne left"), ("epsilon=0.1", "epsilon 0.1: lights leak in"),
-                       ("epsilon=0.5", "epsilon 0.5: shadows leave their feet"), ("exact", "exact: no offset at all")):
+                       ("epsilon=0.5", "epsilon 0.5: peter-panning"), ("exact", "exact: no offset at all")):
         size = ("--size", "128x128")
         picture, _ = g.picture(s1, "--offset", rule, *size)
         c = g.compare(s1, "--offset", rule, *size)
@@ -135,7 +141,8 @@ def cracks(g):
         image[wrong] = (255, 0, 255)
         panels.append((image[crop], f"{bits} bits and a sign:\n{int(wrong.sum())} pixels show what is behind"))
     panels.append((core[crop], f"exact (the core):\n{g.compare(SCENES / 's2.nff', '--size', '128x128')['wrong_id']} pixels"))
-    g.save("cracks", "Cracks, magenta: edge coefficients rounded triangle by triangle (S2, 1016 triangles, a crop; counts of the whole frame)", panels)
+    g.save("cracks",
+           "Cracks, magenta: edge coefficients rounded triangle by triangle (S2, 1016 triangles, a crop; counts of the whole frame)", panels)
 
 
 def depth_bits(g):
@@ -151,7 +158,8 @@ def depth_bits(g):
         wrong = int(((meshes.objects(mesh, shown) != true) & ~ball).sum())
         panels.append((numpy.where(ball[:, :, None], core, meshes.picture(mesh, shown)), f"{bits} bits of 1/z:\n{wrong} pixels wrong"))
     panels.append((core, f"ours, 16 bits and an exact tie rule:\n{g.compare(SCENES / 'fight.nff')['wrong_id']} pixels wrong"))
-    g.save("depthbits", "Z-fighting by bits: orange cards 2^-8 (left) to 2^-15 (right) of their distance in front of blue ones; rows 4, 40, 400, 4000 away", panels)
+    g.save("depthbits",
+           "Z-fighting by bits: orange cards 2^-8 (left) to 2^-15 (right) of their distance in front of blue; rows 4, 40, 400, 4000 away", panels)
 
 
 def culling(g):
@@ -182,8 +190,8 @@ def filters(g):
                           (("--samples", "regular:6", "--filter", "tent"), "tent"), (("--samples", "regular:6", "--filter", "gaussian"), "Gaussian"),
                           (("--samples", "regular:6", "--filter", "mitchell"), "Mitchell")):
         picture, _ = g.picture(SCENES / "show.nff", "--size", "120x120", "--transfer", "srgb", *options)
-        panels.append((picture[22:62, 36:96], name))
-    g.save("filters", "Reconstruction of 6 x 6 rays a pixel (a crop of 60 x 40 pixels)", panels)
+        panels.append((picture[38:62, 36:72], name))
+    g.save("filters", "Reconstruction of 6 x 6 rays a pixel (a crop of 36 x 24 pixels)", panels)
 
 
 def dither(g):
@@ -200,18 +208,35 @@ def dither(g):
 
 
 def aliasing(g):
+    """Patterns side by side, with their rays, and their instructions on a Cortex-M3 by the bench's harness."""
     panels = []
-    for options, name in (((), "one"), (("--samples", "regular:4"), "4x4 regular"), (("--samples", "random:16"), "16 at random"),
-                          (("--samples", "jitter:16"), "4x4 jittered"), (("--samples", "quincunx"), "adaptive quincunx")):
-        picture, facts = g.picture(SCENES / "show.nff", "--size", "120x120", "--transfer", "srgb", *options)
-        rays = facts.get("rays", 120 * 120) / (120 * 120)
-        panels.append((picture[22:62, 36:96], f"{name}\n{rays:.2f} rays a pixel"))
-    g.save("aliasing", "Aliasing and its cures (a crop of 60 x 40 pixels)", panels)
+    for options, name, pattern in ((("--samples", "one"), "one ray", "one"), (("--samples", "regular:4"), "4 x 4 regular", "regular"),
+                                   (("--samples", "random:16", "--seed", "1"), "16 at random", "random"),
+                                   (("--samples", "jitter:16", "--seed", "1"), "4 x 4 jittered", "jittered"),
+                                   (("--samples", "quincunx"), "adaptive quincunx", "quincunx")):
+        picture, facts = g.picture(SCENES / "show.nff", "--size", "96x96", "--transfer", "srgb", *options)
+        cost = instructions(g, pattern, 96) / 1000
+        panels.append((picture[18:50, 30:78], f"{name}\n{facts['rays'] / (96 * 96):.2f} rays a pixel\n{cost:.0f} thousand instructions"))
+    counts, _ = g.picture(SCENES / "show.nff", "--size", "96x96", "--samples", "quincunx", "--show", "samples")
+    panels.append((counts[18:50, 30:78], "where quincunx sends rays\nbright is many\n"))
+    g.save("aliasing", "Aliasing and its cures (`show` at 96 x 96, a crop of 48 x 32 pixels; instructions on a Cortex-M3)", panels)
+
+
+def instructions(g, pattern, size):
+    """A pixel's, of scene `show` on an emulated Cortex-M3."""
+    work = g.simulator.parent / "bench"
+    try:
+        workshop = images.Workshop(work, bench_scenes.Scenes(work, g.simulator))
+        built = workshop.build(images.Image("m3", f"fixcast-{pattern}", "show", size, size))
+        counts = counting.count("m3", built, work, 40_000_000_000).instructions
+    except images.Failure as failure:
+        sys.exit(f"gallery: {failure}")
+    return sum(counts.values()) / size / size
 
 
 def gamma(g):
     panels = [(g.picture(SCENES / "show.nff", "--transfer", name)[0], caption)
-              for name, caption in (("linear", "levels proportional to light"), ("gamma22", "gamma 2.2"), ("srgb", "sRGB"))]
+              for name, caption in (("linear", "gamma 1.0: levels proportional to light"), ("gamma22", "gamma 2.2"), ("srgb", "sRGB"))]
     g.save("gamma", "The same light on a display that shows level^2.2", panels)
 
 

@@ -1,4 +1,5 @@
-"""Meshes as lesser renderers see them, for the gallery's faults: rounded edges, few bits of depth, culled backs. Exact in whole numbers where nothing is rounded on purpose.
+"""Meshes as lesser renderers see them, for the gallery's faults: rounded edges, few bits of depth, culled backs. Exact in whole numbers where
+nothing is rounded on purpose.
 
 Only for scenes of polygons whose camera looks along -z with y up: s2 and fight.
 """
@@ -56,8 +57,8 @@ def rounded(normals, bits):
 
 
 def seen(mesh, size, bits=None, depth_bits=None, nearest=0, triangles=None):
-    """(number of the triangle a pixel shows, -1 for none, by row; how many were drawn). bits: of edge coefficients; depth_bits: of `nearest` / z as a whole number, a tie
-    leaving what came first; None: exact, and float of 53 bits."""
+    """(number of the triangle a pixel shows, -1 for none, by row; how many were drawn). bits: of edge coefficients; depth_bits: of
+    `nearest` / z as a whole number, a tie leaving what came first; None: exact, and float of 53 bits."""
     x, y = numpy.meshgrid(2 * numpy.arange(size, dtype=numpy.int64) + 1 - size, size - 2 * numpy.arange(size, dtype=numpy.int64) - 1)
     focal = 2 * size  # both scenes: tan of half the field of view 1/2
     shown, best = numpy.full((size, size), -1), numpy.zeros((size, size))

@@ -42,7 +42,8 @@ std::vector<double> cell_weights(Kernel kernel, int n) {
   const int reach = (3 * n + 1) / 2, count = n + 2 * reach;
   std::vector<double> weights;
   for (int i = 0; i < count; i++) {
-    const double left = (2.0 * (i - reach) - n) / (2.0 * n), right = (2.0 * (i + 1 - reach) - n) / (2.0 * n); /* mirrored without a bit's difference */
+    /* halves of n, so that both sides are mirrored without a bit's difference */
+    const double left = (2.0 * (i - reach) - n) / (2.0 * n), right = (2.0 * (i + 1 - reach) - n) / (2.0 * n);
     weights.push_back(kernel_integral(kernel, right) - kernel_integral(kernel, left));
   }
   return weights;

@@ -25,8 +25,8 @@ double kernel_integral(Kernel kernel, double x);
 /* Weights of the cells of `n` a pixel (1 or more) that the kernel reaches, in order, the pixel's own in the middle: n + 2 ceil(3 n / 2) of them. */
 std::vector<double> cell_weights(Kernel kernel, int n);
 
-/* Samples of a plane of width * n columns and height * n rows become width x height pixels. At the plane's edges, beyond which nothing was sampled, the weights of
- * what is there are scaled to a sum of 1. */
+/* Samples of a plane of width * n columns and height * n rows become width x height pixels. At the plane's edges, beyond which nothing was
+ * sampled, the weights of what is there are scaled to a sum of 1. */
 std::vector<double> reconstruct(Kernel kernel, int n, std::size_t width, std::size_t height, const std::vector<double> &samples);
 
 } // namespace host

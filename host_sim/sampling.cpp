@@ -123,7 +123,10 @@ void add_sampling_options(CLI::App &command, SamplingOptions &options) {
                   "rays a pixel: one, regular:N (N x N), random:N, jitter:N (N a square) or quincunx[:DEPTH[:LEVELS]] "
                   "(adaptive: halved up to DEPTH times, default 3, where objects differ or a channel by more than LEVELS of 255, default 6)")
       ->type_name("PATTERN");
-  command.add_option("--filter", options.filter, "how they become a pixel: box (default) or tent; gaussian or mitchell with regular:N, in the simulator only")->type_name("FILTER");
+  command
+      .add_option("--filter", options.filter,
+                  "how they become a pixel: box (default) or tent; gaussian or mitchell with regular:N, in the simulator only")
+      ->type_name("FILTER");
   command
       .add_option("--lens", options.lens,
                   "pinhole (default), orthographic[:SIZE] (world units across the shorter side; default: as the pinhole frames what it "

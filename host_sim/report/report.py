@@ -12,6 +12,7 @@ import sys
 import against_oracle
 import advice
 import bars
+import methods
 import rows as bench
 import stages
 import wire
@@ -117,6 +118,13 @@ method.
 
 {rivals}
 
+What seeing alone costs, in instructions a pixel: the methods in float (software on these chips) with scene and unit directions at hand, closest hit a
+pixel for spheres and triangles, the others for triangles; ours exact, set-up included, drawn without lights. The methods are textbook loops that ask each
+pixel of a polygon's box; a float rasteriser that steps along rows is in S2's table above. Each chip's picture is, primitive for primitive, the one judged
+above.
+
+{methods}
+
 {accuracy}"""
 
 
@@ -193,31 +201,16 @@ def wire_table(rows):
                                                for clock, cores in wire.CHIPS), "keeps up with the bus", "cycles"], lines)
 
 
-def write(rows, core, accuracy, plots, rivals):
+def write(rows, core, accuracy, plots, rivals, counted):
     judged = bars.judged(rows)
     by_function = all(row.get("functions") for row in bench.ours(rows) if row["stages"])
     return TEXT.format(core=core, advice=advice.text(rows), cycles=wire.CYCLES_AN_INSTRUCTION,
                        measured_cycles=wire.cycles_an_instruction(rows), missed=missed_line(judged),
                        bars=bar_table(judged), speed=speed_table(rows), stages=stage_table(rows),
                        by_file="" if by_function else " (here by their files, which is coarser)",
-                       memory=memory_table(rows), wire=wire_table(rows), plots=plots, rivals=rivals_table(rivals),
+                       memory=memory_table(rows), wire=wire_table(rows), plots=plots, rivals=methods.wrong_table(rivals),
+                       methods=methods.cost_table(counted, rivals, measured.digest(ROOT)),
                        accuracy=against_oracle.sections(accuracy))
-
-
-def rivals_table(path):
-    """What tests/rivals found; a sentence where it has not run."""
-    try:
-        scenes = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))["scenes"]
-    except FileNotFoundError:
-        return "Not measured here: `make test` writes build/rivals.json, then `make report` again."
-    wrong, order = {}, []
-    for scene, found in scenes.items():
-        for row in found:
-            key = row["method"], row["numbers"]
-            if key not in order:
-                order.append(key)
-            wrong[key, scene] = row["wrong_objects"]
-    return table(["method", "numbers", *scenes], [(*key, *(number(wrong.get((key, scene))) for scene in scenes)) for key in order])
 
 
 def core_of(bench_file, stale_allowed):
@@ -246,6 +239,7 @@ def main():
                         help="plots go to a directory of that name beside it, in small letters")
     parser.add_argument("--stale", action="store_true", help="take figures of other sources too, and say so")
     parser.add_argument("--rivals", default=ROOT / "build/rivals.json", metavar="FILE", help="what the test `rivals` wrote")
+    parser.add_argument("--methods", default=ROOT / "build/bench/methods.json", metavar="FILE", help="what tests/bench/methods.py counted")
     parser.add_argument("--no-plots", action="store_true", help="the text alone; needs no matplotlib")
     parser.add_argument("--accuracy", metavar="FILE", help="JSON to use instead of asking the oracle; for tests")
     options = parser.parse_args()
@@ -261,7 +255,7 @@ def main():
                 by_package(SYSTEM_PYTHON)
                 raise bench.Unusable("there is no matplotlib: `.ci/install report` installs it") from None
             pictures.draw(rows, plots)
-        text = write(rows, core, oracle_figures(options), plots.name, options.rivals)
+        text = write(rows, core, oracle_figures(options), plots.name, methods.read(options.rivals), methods.read(options.methods))
     except (bench.Unusable, OSError, subprocess.CalledProcessError) as why:
         print(f"report: {why}", file=sys.stderr)
         return 2

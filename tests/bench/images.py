@@ -96,6 +96,12 @@ RIVALS, RIVAL_FLAGS = HERE / "rivals", ("-fno-math-errno", "-I", HERE / "rivals"
 RENDERERS = {
     "fixcast": core_renderer(),
     "fixcast-rays": core_renderer("-DBY_RAYS"),
+    # Several rays a pixel, for the gallery.
+    "fixcast-one": core_renderer("-DPATTERN=fc_pattern_one", "-DCOUNT=0"),
+    "fixcast-regular": core_renderer("-DPATTERN=fc_pattern_regular", "-DCOUNT=4"),
+    "fixcast-random": core_renderer("-DPATTERN=fc_pattern_random", "-DCOUNT=16"),
+    "fixcast-jittered": core_renderer("-DPATTERN=fc_pattern_jittered", "-DCOUNT=4"),
+    "fixcast-quincunx": core_renderer("-DPATTERN=fc_pattern_quincunx", "-DCOUNT=0"),
     "float": Renderer(RIVALS / "rays.c", RIVALS / "mesh_float.c",
                       flags=("-DREAL=float", "-DSQRT=sqrtf", *RIVAL_FLAGS)),
     "double": Renderer(RIVALS / "rays.c", RIVALS / "mesh_float.c", flags=("-DREAL=double", "-DSQRT=sqrt", *RIVAL_FLAGS)),

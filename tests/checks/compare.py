@@ -67,7 +67,8 @@ def check_rules(simulator, report):
 
 
 def glowing(mirrors, bounces):
-    """S1 without light: things glow in colours of their own, so a pixel's colour says what is seen at the end of its path; `mirrors` by object show only others."""
+    """S1 without light: things glow in colours of their own, so a pixel's colour says what its path ends at; `mirrors`, by object,
+    show only others."""
     things = {1: ("0.9 0.25 0.1", "s 0 1 -6 1"), 2: ("0.1 0.75 0.3", "s -1.75 0.75 -4.5 0.75"), 3: ("0.25 0.1 0.9", "s 1.25 0.5 -3 0.5"),
               4: ("0.75 0.75 0.6", "#fc: plane 0 1 0 0"), 5: ("0.6 0.6 0.1", "s 0.2 0.5 -3.5 0.5")}
     lines = ["v", "from 0 1.5 1", "at 0 1.5 0", "up 0 1 0", "angle 53.13010235", "hither 0.01", "resolution 128 128", "#fc: tan_half_fov 1/2",
@@ -79,13 +80,13 @@ def glowing(mirrors, bounces):
 
 
 def check_mirrors(simulator, report):
-    """What is seen in mirrors, in one bounce by a plane and in four between balls: with glowing things a colour that is off by more than rounding is a wrong thing, and there
-    is none (the bar: 100 in a million pixels)."""
+    """What is seen in mirrors, in one bounce by a plane and in four between balls: with glowing things a colour that is off by more than rounding
+    is a wrong thing, and there is none (the bar: 100 in a million pixels)."""
     with tempfile.TemporaryDirectory() as directory:
         path = pathlib.Path(directory, "mirrors.nff")
         crcs = set()
-        for name, mirrors, bounces in (("no mirror", (), 1), ("a plane mirror", (4,), 1), ("balls", (1, 2, 5), 4), ("all but a ball", (1, 2, 4, 5), 4),
-                                       ("all but a ball, once", (1, 2, 4, 5), 1)):
+        for name, mirrors, bounces in (("no mirror", (), 1), ("a plane mirror", (4,), 1), ("balls", (1, 2, 5), 4),
+                                       ("all but a ball", (1, 2, 4, 5), 4), ("all but a ball, once", (1, 2, 4, 5), 1)):
             path.write_text(glowing(mirrors, bounces))
             for size in ("128x128", "97x61"):
                 found = fixcast_json(simulator, "compare", path, "--size", size)

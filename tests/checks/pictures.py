@@ -87,6 +87,10 @@ def check_exr(simulator, directory, report):
     report.equal("samples", {1.0}, set(values["samples"]))
     run(simulator, "render", FLAKE, "--size", "40x30", "--profile", "half", "--layers", "samples", "-o", path)
     report.equal("samples of the half profile", {0.25}, set(picture_files.exr(path)[2]["samples"][1]))
+    adaptive = fixcast_json(simulator, "render", FLAKE, "--size", "40x30", "--samples", "quincunx:2", "--layers", "samples", "-o", path)
+    counts = picture_files.exr(path)[2]["samples"][1]
+    report.equal("samples of quincunx", adaptive["rays"], sum(counts))
+    report.check(len(set(counts)) > 5, f"samples of quincunx are all of {sorted(set(counts))}")
 
 
 def check_depth(simulator, directory, report):

@@ -25,6 +25,28 @@ def bar_of(text, what):
     return [cell.strip() for cell in line.split("|")[1:-1]]
 
 
+def check_methods(source, place, run, report):
+    """The table of methods: counts beside wrong pixels, and no counts of other sources."""
+    sys.path.insert(0, str(source / "tests/bench"))
+    import measured
+    rivals, counted, bench, output = (place / name for name in ("rivals.json", "methods.json", "bench.json", "REPORT.md"))
+    bench.write_text(ROWS.read_text())
+    rivals.write_text(json.dumps({"scenes": {"box": [
+        {"method": "ours", "numbers": "integer", "wrong_objects": 0}, {"method": "painter", "numbers": "float", "wrong_objects": 184},
+        {"method": "painter", "numbers": "double", "wrong_objects": 183}]}}))
+    rows = [{"scene": "box", "method": method, "target": chip, "instructions_per_pixel": cost} for method, chip, cost in (
+        ("ours, by scan lines", "m0plus", 71.4), ("ours, by scan lines", "m3", 40.2), ("painter", "m0plus", 8000.6), ("painter", "m3", None))]
+    for digest, found in ((measured.digest(source), True), ("another", False)):
+        counted.write_text(json.dumps({"digest": digest, "rows": rows}))
+        run(bench, output, "--stale", "--rivals", rivals, "--methods", counted)
+        text = output.read_text()
+        report.equal("ours and painter in the table", [found, found],
+                     ["| box | ours, by scan lines | 0 | 71 | 40 |" in text, "| box | painter | 184 | 8001 | over the limit |" in text])
+        report.equal("old counts are refused", not found, "Counted from other sources" in text)
+    run(bench, output, "--stale", "--rivals", rivals, "--methods", place / "none.json")
+    report.check("Not counted here" in output.read_text(), "a report without counts does not say so")
+
+
 def main(source):
     source = pathlib.Path(source)
     report = Report()
@@ -85,6 +107,8 @@ def main(source):
         run(bench, output, "--stale")
         report.check("BROKEN" in output.read_text(), "a wrong pixel of the exact profile does not show")
         report.equal("a wrong id", ["1", "**MISSED**"], bar_of(output.read_text(), "Wrong ids on S1, S1r, S2")[-2:])
+
+        check_methods(source, place, run, report)
 
     for picture in re.findall(r"\]\((report/[^)]+)\)", (source / "docs/REPORT.md").read_text()):
         report.check((source / "docs" / picture).exists(), f"docs/REPORT.md shows {picture}, which does not exist")

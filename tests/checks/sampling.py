@@ -102,8 +102,8 @@ def reduced(samples, weights, n, count):
 
 
 def check_kernels(simulator, report):
-    """--filter gaussian and mitchell are these sums of the pixels of a frame n times as large. --angle goes from centre to centre (NFF's rule): of the larger
-    frame's outer pixels those lie farther out."""
+    """--filter gaussian and mitchell are these sums of the pixels of a frame n times as large. --angle goes from centre to centre (NFF's rule): of
+    the larger frame's outer pixels those lie farther out."""
     kernels = {"gaussian": lambda x: math.exp(-2 * x * x),
                "mitchell": lambda x: (7 * x ** 3 - 12 * x ** 2 + 16 / 3) / 6 if x < 1 else (-7 / 3 * x ** 3 + 12 * x ** 2 - 20 * x + 32 / 3) / 6}
     width, height = 24, 20

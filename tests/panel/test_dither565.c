@@ -1,6 +1,6 @@
 /*
- * fc_display_dither565 against its description (src/panel/bayer.h), redone here in another way: the matrix by interleaving the bits of the place, levels
- * by one exact 64-bit division.
+ * fc_display_dither565 against its description (src/panel/bayer.h), redone here in another way: the matrix by interleaving the bits of the place,
+ * levels by one exact 64-bit division.
  */
 #include <string.h>
 

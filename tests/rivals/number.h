@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#ifdef __SIZEOF_INT128__ /* not on chips of 32 bits */
 /* Q47.16, products and quotients by way of 128 bits and cut off: what is lost is fraction bits, never the top. */
 struct Fixed {
   int64_t v;
@@ -33,8 +34,11 @@ inline bool operator>(Fixed a, Fixed b) { return a.v > b.v; }
 inline bool operator<=(Fixed a, Fixed b) { return a.v <= b.v; }
 inline bool operator>=(Fixed a, Fixed b) { return a.v >= b.v; }
 
+#endif
+
 inline float root(float a) { return std::sqrt(a); }
 inline double root(double a) { return std::sqrt(a); }
+#ifdef __SIZEOF_INT128__
 inline Fixed root(Fixed a) { /* floor(sqrt(v 2^16)), digit by digit */
   if (a.v <= 0) return raw(0);
   unsigned __int128 rest = static_cast<unsigned __int128>(a.v) << 16, r = 0;
@@ -44,6 +48,7 @@ inline Fixed root(Fixed a) { /* floor(sqrt(v 2^16)), digit by digit */
   }
   return raw(static_cast<int64_t>(r));
 }
+#endif
 
 template <typename T>
 struct Vector {

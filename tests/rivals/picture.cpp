@@ -29,10 +29,17 @@ static std::vector<uint16_t> render(const fc_frame &frame, bool by_rays) {
   return primitive;
 }
 
+uint32_t crc_of(const Pixels &pixels) {
+  uint32_t crc = UINT32_C(0xffffffff);
+  for (uint16_t pixel : pixels) {
+    crc ^= pixel;
+    for (int bit = 0; bit < 16; bit++) crc = (crc >> 1) ^ (UINT32_C(0xedb88320) & -(crc & 1));
+  }
+  return ~crc;
+}
+
 Picture picture_of(const fc_scene &scene, const fc_camera &camera, int width, int height) {
-  Picture p = {};
-  p.width = width;
-  p.height = height;
+  Picture p = shapes_of(scene, camera, width, height);
   int error = FC_OK;
   std::vector<int64_t> memory(fc_frame_memory(&scene, &error) / 8 + 1);
   fc_frame frame;
@@ -45,6 +52,13 @@ Picture picture_of(const fc_scene &scene, const fc_camera &camera, int width, in
   }
   p.exact = render(frame, true);
   p.ours = render(frame, false);
+  return p;
+}
+
+Picture shapes_of(const fc_scene &scene, const fc_camera &camera, int width, int height) {
+  Picture p = {};
+  p.width = width;
+  p.height = height;
   const int shorter = width < height ? width : height,
             s = camera.fov_rule == FC_FOV_CENTRES ? (shorter > 1 ? shorter - 1 : 1) : shorter;
   p.focal = s * static_cast<double>(camera.tan_half_fov_denominator) / camera.tan_half_fov_numerator;

@@ -42,6 +42,8 @@ struct Picture {
   }
 };
 
+/* All but `exact` and `ours`, which take rendering. */
+Picture shapes_of(const fc_scene &scene, const fc_camera &camera, int width, int height);
 Picture picture_of(const fc_scene &scene, const fc_camera &camera, int width, int height);
 
 template <typename T>
@@ -51,6 +53,7 @@ Vector<T> in(Vector<double> v) {
 
 /* What a rival shows: a primitive a pixel. */
 using Pixels = std::vector<uint16_t>;
+uint32_t crc_of(const Pixels &pixels); /* zlib's CRC-32, each number low byte first */
 
 /* Ways to meet a sphere or a triangle, closest hit a pixel. */
 enum class SphereBy {
@@ -62,10 +65,11 @@ enum class TriangleBy {
   plane_barycentric,
   edges
 };
-/* (right, down): how far from the pixels' centres, in pixels. */
+/* Unit directions, a pixel each. (right, down): how far from the pixels' centres, in pixels. */
 template <typename T>
-Pixels closest_hit(const Picture &picture, SphereBy sphere, TriangleBy triangle, double right = 0,
-                   double down = 0);
+std::vector<Vector<T>> rays_of(const Picture &picture, double right = 0, double down = 0);
+template <typename T>
+Pixels closest_hit(const Picture &picture, const std::vector<Vector<T>> &rays, SphereBy sphere, TriangleBy triangle);
 
 /* Hidden surfaces of triangles. */
 template <typename T>

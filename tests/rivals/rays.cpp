@@ -74,7 +74,19 @@ bool triangle_by_edges(Vector<T> d, Vector<T> v0, Vector<T> v1, Vector<T> v2, T 
 } // namespace
 
 template <typename T>
-Pixels closest_hit(const Picture &picture, SphereBy sphere, TriangleBy triangle, double right, double down) {
+std::vector<Vector<T>> rays_of(const Picture &picture, double right, double down) {
+  std::vector<Vector<T>> rays;
+  for (int y = 0; y < picture.height; y++)
+    for (int x = 0; x < picture.width; x++) {
+      const Vector<double> whole = {2.0 * (x + right) + 1 - picture.width, picture.height - 2.0 * (y + down) - 1,
+                                    picture.focal};
+      rays.push_back(in<T>(whole * (1 / std::sqrt(dot(whole, whole)))));
+    }
+  return rays;
+}
+
+template <typename T>
+Pixels closest_hit(const Picture &picture, const std::vector<Vector<T>> &rays, SphereBy sphere, TriangleBy triangle) {
   struct Held {
     Shape::Kind kind;
     Vector<T> a, b, c;
@@ -84,39 +96,40 @@ Pixels closest_hit(const Picture &picture, SphereBy sphere, TriangleBy triangle,
   for (const Shape &s : picture.shapes)
     shapes.push_back({s.kind, in<T>(s.a), in<T>(s.b), in<T>(s.c), T(s.r)});
   Pixels pixels;
-  for (int y = 0; y < picture.height; y++)
-    for (int x = 0; x < picture.width; x++) {
-      Vector<double> whole = {2.0 * (x + right) + 1 - picture.width, picture.height - 2.0 * (y + down) - 1,
-                              picture.focal};
-      Vector<T> d = in<T>(whole * (1 / std::sqrt(dot(whole, whole))));
-      T best = T(picture.far), t = T(0.0);
-      uint16_t seen = nothing;
-      for (size_t i = 0; i < shapes.size(); i++) {
-        const Held &s = shapes[i];
-        bool hit = false;
-        if (s.kind == Shape::sphere) {
-          hit = sphere == SphereBy::algebra ? sphere_by_algebra(d, s.a, s.r, &t)
-                                            : sphere_by_geometry(d, s.a, s.r, &t);
-        } else if (s.kind == Shape::plane) {
-          const T nd = dot(s.a, d);
-          hit = !(nd >= T(0.0) && nd <= T(0.0));
-          if (hit) t = -s.r / nd;
-          hit = hit && t > T(0.0);
-        } else {
-          hit = triangle == TriangleBy::cramer              ? triangle_by_cramer(d, s.a, s.b, s.c, &t)
-                : triangle == TriangleBy::plane_barycentric ? triangle_by_plane(d, s.a, s.b, s.c, &t)
-                                                            : triangle_by_edges(d, s.a, s.b, s.c, &t);
-        }
-        if (hit && t < best) {
-          best = t;
-          seen = static_cast<uint16_t>(i);
-        }
+  for (const Vector<T> &d : rays) {
+    T best = T(picture.far), t = T(0.0);
+    uint16_t seen = nothing;
+    for (size_t i = 0; i < shapes.size(); i++) {
+      const Held &s = shapes[i];
+      bool hit = false;
+      if (s.kind == Shape::sphere) {
+        hit = sphere == SphereBy::algebra ? sphere_by_algebra(d, s.a, s.r, &t)
+                                          : sphere_by_geometry(d, s.a, s.r, &t);
+      } else if (s.kind == Shape::plane) {
+        const T nd = dot(s.a, d);
+        hit = !(nd >= T(0.0) && nd <= T(0.0));
+        if (hit) t = -s.r / nd;
+        hit = hit && t > T(0.0);
+      } else {
+        hit = triangle == TriangleBy::cramer              ? triangle_by_cramer(d, s.a, s.b, s.c, &t)
+              : triangle == TriangleBy::plane_barycentric ? triangle_by_plane(d, s.a, s.b, s.c, &t)
+                                                          : triangle_by_edges(d, s.a, s.b, s.c, &t);
       }
-      pixels.push_back(seen);
+      if (hit && t < best) {
+        best = t;
+        seen = static_cast<uint16_t>(i);
+      }
     }
+    pixels.push_back(seen);
+  }
   return pixels;
 }
 
-template Pixels closest_hit<float>(const Picture &, SphereBy, TriangleBy, double, double);
-template Pixels closest_hit<double>(const Picture &, SphereBy, TriangleBy, double, double);
-template Pixels closest_hit<Fixed>(const Picture &, SphereBy, TriangleBy, double, double);
+#define FOR(T) \
+  template std::vector<Vector<T>> rays_of<T>(const Picture &, double, double); \
+  template Pixels closest_hit<T>(const Picture &, const std::vector<Vector<T>> &, SphereBy, TriangleBy);
+FOR(float)
+FOR(double)
+#ifdef __SIZEOF_INT128__
+FOR(Fixed)
+#endif

@@ -27,8 +27,8 @@ struct Truth {
   explicit Truth(const Picture &p) : picture(p) {
     const double step = 1.0 / (1 << 20);
     for (int i = 0; i < 4; i++)
-      beside.push_back(closest_hit<double>(p, SphereBy::geometry, TriangleBy::edges, i & 1 ? step : -step,
-                                           i & 2 ? step : -step));
+      beside.push_back(closest_hit<double>(p, rays_of<double>(p, i & 1 ? step : -step, i & 2 ? step : -step),
+                                           SphereBy::geometry, TriangleBy::edges));
   }
 };
 
@@ -51,29 +51,33 @@ Wrong count(const Truth &truth, const Pixels &pixels) {
 struct Row {
   std::string method, numbers;
   Wrong wrong;
+  uint32_t crc; /* of the numbers it sees, as tests/bench/methods.py finds it on a chip */
 };
 
 template <typename T>
 void run(const Truth &truth, const char *numbers, std::vector<Row> *rows) {
   const Picture &p = truth.picture;
-  auto add = [&](const char *method, const Pixels &pixels) {
-    rows->push_back({method, numbers, count(truth, pixels)});
+  const std::vector<Vector<T>> rays = rays_of<T>(p);
+  auto add = [&](const char *method, const Pixels &pixels, uint32_t crc) {
+    rows->push_back({method, numbers, count(truth, pixels), crc});
   };
+  auto add_rays = [&](const char *method, const Pixels &pixels) { add(method, pixels, crc_of(pixels)); };
   if (p.has(Shape::sphere)) {
-    add("sphere by algebra", closest_hit<T>(p, SphereBy::algebra, TriangleBy::edges));
-    add("sphere by geometry", closest_hit<T>(p, SphereBy::geometry, TriangleBy::edges));
+    add_rays("sphere by algebra", closest_hit<T>(p, rays, SphereBy::algebra, TriangleBy::edges));
+    add_rays("sphere by geometry", closest_hit<T>(p, rays, SphereBy::geometry, TriangleBy::edges));
   }
   if (p.has(Shape::triangle)) {
-    add("triangle by Cramer", closest_hit<T>(p, SphereBy::geometry, TriangleBy::cramer));
-    add("triangle by plane and barycentrics",
-        closest_hit<T>(p, SphereBy::geometry, TriangleBy::plane_barycentric));
-    add("triangle by edges", closest_hit<T>(p, SphereBy::geometry, TriangleBy::edges));
+    add_rays("triangle by Cramer", closest_hit<T>(p, rays, SphereBy::geometry, TriangleBy::cramer));
+    add_rays("triangle by plane and barycentrics",
+        closest_hit<T>(p, rays, SphereBy::geometry, TriangleBy::plane_barycentric));
+    add_rays("triangle by edges", closest_hit<T>(p, rays, SphereBy::geometry, TriangleBy::edges));
   }
   if (p.has(Shape::triangle) && !p.has(Shape::plane)) {
     auto add_triangles = [&](const char *method, Pixels pixels) {
+      const uint32_t crc = crc_of(pixels);
       for (size_t i = 0; i < pixels.size(); i++) /* where another shape is in front, nothing is asked */
         if (p.exact[i] != nothing && p.shapes[p.exact[i]].kind != Shape::triangle) pixels[i] = p.exact[i];
-      add(method, pixels);
+      add(method, pixels, crc);
     };
     add_triangles("z-buffer", z_buffer<T>(p, 0));
     add_triangles("z-buffer of 24 bits", z_buffer<T>(p, 24));
@@ -108,7 +112,7 @@ int main(int argc, char **argv) {
     const Truth truth(p);
     size_t different = 0;
     for (size_t i = 0; i < p.exact.size(); i++) different += p.ours[i] != p.exact[i];
-    std::vector<Row> rows = {{"ours", "integer", {different, different}}};
+    std::vector<Row> rows = {{"ours", "integer", {different, different}, crc_of(p.ours)}};
     run<double>(truth, "double", &rows);
     run<float>(truth, "float", &rows);
     run<Fixed>(truth, "fixed 16", &rows);
@@ -120,7 +124,7 @@ int main(int argc, char **argv) {
                   r.method.c_str(), r.numbers.c_str(), r.wrong.objects, r.wrong.primitives);
       json += std::string(row_comma) + "\n      {\"method\": \"" + r.method + "\", \"numbers\": \"" +
               r.numbers + "\", \"wrong_objects\": " + std::to_string(r.wrong.objects) +
-              ", \"wrong_primitives\": " + std::to_string(r.wrong.primitives) + "}";
+              ", \"wrong_primitives\": " + std::to_string(r.wrong.primitives) + ", \"crc\": " + std::to_string(r.crc) + "}";
       row_comma = ",";
       /* no straw men: in double every method is right, or it is coded wrong, but for what gives up exactness by design; ours is exact */
       const bool by_design =

@@ -119,10 +119,12 @@ template <typename T>
 double as_double(T v) {
   return static_cast<double>(v);
 }
+#ifdef __SIZEOF_INT128__
 template <>
 double as_double(Fixed v) {
   return static_cast<double>(v.v) / 65536;
 }
+#endif
 
 Pixels empty(const Picture &picture) {
   return Pixels(static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height),
@@ -348,4 +350,6 @@ Pixels warnock(const Picture &picture) {
   template Pixels warnock<T>(const Picture &);
 FOR(float)
 FOR(double)
+#ifdef __SIZEOF_INT128__
 FOR(Fixed)
+#endif

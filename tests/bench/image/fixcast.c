@@ -1,4 +1,5 @@
-/* The renderer "fixcast": the core drawing a baked scene, -DSCENE=s1. With -DBY_RAYS the slow definition of a frame. */
+/* The renderer "fixcast": the core drawing a baked scene, -DSCENE=s1. With -DBY_RAYS the slow definition of a frame, with
+ * -DPATTERN=fc_pattern_regular -DCOUNT=4 several rays a pixel. */
 #include "fixcast/fixcast.h"
 #include "renderer.h"
 
@@ -10,7 +11,11 @@
 #define PROFILE 0 /* fc_profile */
 #endif
 
-#ifdef BY_RAYS
+#ifdef PATTERN
+static const fc_sampling sampling = {&PATTERN, {&fc_lens_pinhole, NULL}, COUNT, FC_CHANNEL8(6), 3, FC_FILTER_BOX, 1};
+static uint32_t scratch[8192 / 4]; /* 16 for each of the columns, at most 256, and of 81 points */
+#define RENDER_ROWS(frame, y, rows, target) fc_sample_rows(frame, &sampling, y, rows, target, NULL, scratch, sizeof scratch)
+#elif defined(BY_RAYS)
 #define RENDER_ROWS fc_render_rows_by_rays
 #elif PROFILE == 2 || PROFILE == 3
 /* What is measured is one field. */
