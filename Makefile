@@ -1,6 +1,6 @@
 # The front door for people. How things are built stands in CMakeLists.txt alone.
 .DEFAULT_GOAL := help
-.PHONY: help build demo test matrix firmware emulate flash report gallery bench bench-update budgets budgets-update doc fuzz torture mutants golden-check golden-update clean
+.PHONY: help build single dist demo test matrix firmware emulate flash report gallery bench bench-update budgets budgets-update doc fuzz torture mutants golden-check golden-update clean
 BUILD := build
 FUZZ_SECONDS := 600
 MAKEFLAGS += --no-print-directory
@@ -18,6 +18,16 @@ build: ## build the simulator, build/fixcast (installs what is missing with apt-
 	@.ci/install build
 	@$(CONFIGURE) >/dev/null
 	@cmake --build $(BUILD) --parallel $(JOBS) --target fixcast_simulator
+
+single: ## write the whole library as one header, build/single/fixcast/fixcast.h
+	@python3 src/dist/amalgamate.py $(BUILD)/single/fixcast/fixcast.h
+
+dist: ## make a release of the last commit in build/dist: a tarball with scenes, firmware, single header and Arduino library
+	@.ci/install dist
+	@$(MAKE) build
+	@$(CONFIGURE) >/dev/null
+	@cmake --build $(BUILD) --parallel $(JOBS) --target baked_scenes >/dev/null
+	@python3 src/dist/dist.py --baked $(BUILD)/baked $(BUILD)/dist
 
 demo: ## render three scenes into build/demo and print how exact they are
 	@.ci/install demo

@@ -15,6 +15,8 @@ matplotlib.rcParams["svg.hashsalt"] = "fixcast"
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy  # noqa: E402
 
+import gallery_mesh as meshes  # noqa: E402
+
 SCENES = pathlib.Path(__file__).resolve().parent / "scenes"
 INCH = 2.6
 
@@ -119,6 +121,84 @@ def fighting(g):
     print(f"wrote {g.directory / 'fighting.png'}")
 
 
+def cracks(g):
+    """A mesh whose triangles round their edge coefficients each by itself."""
+    mesh, crop = meshes.Mesh(SCENES / "s2.nff"), (slice(46, 92), slice(42, 88))
+    exact, _ = meshes.seen(mesh, 128)
+    core, _ = g.picture(SCENES / "s2.nff", "--size", "128x128", "--transfer", "gamma22")
+    true, front = meshes.objects(mesh, exact), meshes.facing(mesh, exact)
+    panels = []
+    for bits in (8, 10, 12, 16):
+        shown, _ = meshes.seen(mesh, 128, bits)
+        wrong = (meshes.objects(mesh, shown) != true) | (meshes.facing(mesh, shown) != front)
+        image = meshes.picture(mesh, shown)
+        image[wrong] = (255, 0, 255)
+        panels.append((image[crop], f"{bits} bits and a sign:\n{int(wrong.sum())} pixels show what is behind"))
+    panels.append((core[crop], f"exact (the core):\n{g.compare(SCENES / 's2.nff', '--size', '128x128')['wrong_id']} pixels"))
+    g.save("cracks", "Cracks, magenta: edge coefficients rounded triangle by triangle (S2, 1016 triangles, a crop; counts of the whole frame)", panels)
+
+
+def depth_bits(g):
+    """The cards of `fight` by z-buffers of more and fewer bits."""
+    mesh = meshes.Mesh(SCENES / "fight.nff")
+    near = 1.0  # the ball's front, the nearest thing there is
+    exact, _ = meshes.seen(mesh, 240)
+    core, _ = g.picture(SCENES / "fight.nff", "--size", "240x240", "--transfer", "gamma22")
+    ball = (core.min(axis=2) > 200)
+    true, panels = meshes.objects(mesh, exact), []
+    for bits in (12, 16, 20, 24):
+        shown, _ = meshes.seen(mesh, 240, None, bits, near)
+        wrong = int(((meshes.objects(mesh, shown) != true) & ~ball).sum())
+        panels.append((numpy.where(ball[:, :, None], core, meshes.picture(mesh, shown)), f"{bits} bits of 1/z:\n{wrong} pixels wrong"))
+    panels.append((core, f"ours, 16 bits and an exact tie rule:\n{g.compare(SCENES / 'fight.nff')['wrong_id']} pixels wrong"))
+    g.save("depthbits", "Z-fighting by bits: orange cards 2^-8 (left) to 2^-15 (right) of their distance in front of blue ones; rows 4, 40, 400, 4000 away", panels)
+
+
+def culling(g):
+    """Back faces left out: of a closed mesh nothing is missed, of an open one its inside."""
+    mesh, crop = meshes.Mesh(SCENES / "s2.nff"), (slice(62, 118), slice(76, 128))
+    ball = [i for i, t in enumerate(mesh.triangles) if t.object == 3]
+    top = sorted((sum(c[1] for c in mesh.triangles[i].corners) for i in ball))
+    bowl = [i for i in ball if sum(c[1] for c in mesh.triangles[i].corners) < top[int(0.6 * len(top))]]
+    panels = []
+    for name, chosen in (("closed", ball), ("open", bowl)):
+        rest = [i for i, t in enumerate(mesh.triangles) if t.object != 3]
+        facing = [i for i in chosen if meshes.volume(mesh.triangles[i].corners) * outward(mesh, chosen[0], ball) > 0]
+        for culled, drawn in ((False, chosen), (True, facing)):
+            shown, _ = meshes.seen(mesh, 128, triangles=rest + drawn)
+            panels.append((meshes.picture(mesh, shown)[crop], f"{name}, culling {'on' if culled else 'off'}:\n{len(drawn)} of its triangles drawn"))
+    g.save("culling", "Back-face culling is free for a closed manifold and wrong for any other (a crop of S2)", panels)
+
+
+def outward(mesh, index, ball):
+    """The sign of `volume` of triangles of a ball that face the eye: that of the nearest."""
+    nearest = min(ball, key=lambda i: sum(c[2] for c in mesh.triangles[i].corners))
+    return 1 if meshes.volume(mesh.triangles[nearest].corners) > 0 else -1
+
+
+def filters(g):
+    panels = []
+    for options, name in ((("--samples", "one"), "one ray"), (("--samples", "regular:6", "--filter", "box"), "box"),
+                          (("--samples", "regular:6", "--filter", "tent"), "tent"), (("--samples", "regular:6", "--filter", "gaussian"), "Gaussian"),
+                          (("--samples", "regular:6", "--filter", "mitchell"), "Mitchell")):
+        picture, _ = g.picture(SCENES / "show.nff", "--size", "120x120", "--transfer", "srgb", *options)
+        panels.append((picture[22:62, 36:96], name))
+    g.save("filters", "Reconstruction of 6 x 6 rays a pixel (a crop of 60 x 40 pixels)", panels)
+
+
+def dither(g):
+    """A sky of few levels, as a display of 16 bits a pixel has them."""
+    scene, panels = g.work / "sky.nff", []
+    scene.write_text("v\nfrom 0 0 0\nat 0 0 -1\nup 0 1 0\nangle 60\nhither 0.01\nresolution 240 240\n#fc: gradient 0 1 0 0.18 0.3 0.5\n"
+                     "b 0.02 0.03 0.06\nl 4 3 0 0.5 0.5 0.5\n#fc: ambient 0.02\n#fc: object 1\nf 0.35 0.33 0.3 1 0 0 0 1\ns 0 -0.4 -3 0.9\n")
+    for options, name in (((), "5, 6 and 5 bits, rounded: bands"), (("--dither",), "5, 6 and 5 bits, ordered dither")):
+        picture, _ = g.picture(scene, "--display", "st7789-240", *options)
+        crop = picture[60:180, 40:200].astype(float)
+        panels.append((crop.astype(numpy.uint8), name))
+        panels.append(((3 * crop).clip(0, 255).astype(numpy.uint8), f"{name.split(',')[-1].strip().split(':')[0]}, three times as bright"))
+    g.save("dither", "A dark gradient on a display of 65536 colours (a crop of 160 x 120 pixels)", panels)
+
+
 def aliasing(g):
     panels = []
     for options, name in (((), "one"), (("--samples", "regular:4"), "4x4 regular"), (("--samples", "random:16"), "16 at random"),
@@ -163,7 +243,7 @@ def main():
     if len(sys.argv) != 3:
         sys.exit("usage: gallery.py SIMULATOR DIRECTORY")
     gallery = Gallery(sys.argv[1], sys.argv[2])
-    for make in (acne, fighting, aliasing, gamma, falloff, lenses, shading):
+    for make in (acne, cracks, fighting, depth_bits, aliasing, filters, gamma, dither, falloff, culling, lenses, shading):
         make(gallery)
     return 0
 

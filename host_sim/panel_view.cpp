@@ -52,4 +52,13 @@ Image8 panel_picture(const fc_panel &panel, const Picture &picture) {
   return image;
 }
 
+std::vector<std::uint8_t> dithered565(const Picture &rgb888) {
+  const std::size_t width = static_cast<std::size_t>(rgb888.width), height = static_cast<std::size_t>(rgb888.height);
+  std::vector<std::uint8_t> pixels(2 * width * height);
+  const int error = fc_display_dither565(0, 0, static_cast<std::uint16_t>(width), static_cast<std::uint16_t>(height), rgb888.pixels.data(),
+                                         3 * width, pixels.data(), 2 * width);
+  if (error < 0) throw UserError(std::string("cannot dither: ") + fc_error_text(error));
+  return pixels;
+}
+
 } // namespace host

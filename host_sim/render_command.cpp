@@ -12,6 +12,7 @@
 #include "camera_path.h"
 #include "commands.h"
 #include "error_layer.h"
+#include "filtered_frame.h"
 #include "frame_layers.h"
 #include "frame_run.h"
 #include "gif.h"
@@ -33,6 +34,7 @@ struct RenderOptions : SceneOptions {
   std::string frame_path, depth_path, samples_path, panel_path, show = "color", path, display;
   std::vector<std::string> layers;
   int strip_rows = FC_SIZE_MAX, frames = 0, bits = 8, fps = 20;
+  bool dither = false;
 
   bool shows(const std::string &layer) const { return show == layer || std::find(layers.begin(), layers.end(), layer) != layers.end(); }
 };
@@ -80,9 +82,14 @@ void render_into(RenderedFrame &to, const RenderOptions &options, bool quiet) {
   if (sampling.wanted && to.scene.options.profile != FC_PROFILE_EXACT)
     throw UserError("--profile " + options.profile + ": --samples, --filter and --lens trace exact rays; leave --profile out");
   to.frame = std::make_unique<CoreFrame>(to.scene.file, to.scene.core, to.scene.options, to.scene.width, to.scene.height);
-  to.pictures = render(*to.frame, sampling, options.strip_rows, quiet);
+  Sampling centres; /* what a kernel leaves of the frame: depth, objects and shadows at the pixels' centres */
+  centres.wanted = true;
+  centres.how.lens = sampling.how.lens;
+  to.pictures = render(*to.frame, sampling.kernel ? centres : sampling, options.strip_rows, quiet);
+  if (sampling.kernel) filter_frame(to.pictures, to.scene.core, to.scene.options, sampling, quiet);
   if (sampling.wanted)
     for (std::uint16_t samples : to.pictures.rgb888.samples) to.rays += samples;
+  if (options.dither) to.pictures.rgb565.pixels = dithered565(to.pictures.rgb888);
   to.counts = count(to.pictures.rgb565);
   if (options.shows("error")) to.error = error_layer(to.scene, *to.frame, to.pictures.rgb888);
 }
@@ -204,6 +211,10 @@ void check(const RenderOptions &options) {
   const std::string extension = image_extension(options.frame_path);
   if (options.bits == 16 && extension != ".png" && extension != ".tif" && extension != ".tiff")
     throw UserError("--bits 16 needs -o with a name that ends in .png or .tif");
+  if (options.dither && options.display.empty() && options.panel_path.empty())
+    throw UserError("--dither is about a display's 16 bits a pixel; give --display PANEL or --rgb565 FRAME.bin with it");
+  if (options.dither && !options.display.empty() && find_panel(options.display).format != FC_DISPLAY_RGB565)
+    throw UserError("--dither: what " + options.display + " shows is dithered always; leave it out");
   if (!options.display.empty() && options.show != "color") throw UserError("--display and --show exclude each other; choose one");
   const bool sequence = is_sequence_name(options.frame_path);
   if (options.path.empty()) {
@@ -262,6 +273,8 @@ void add_render_command(CLI::App &app, Action &action) {
       ->add_option("--rgb565", options->panel_path,
                    "write the pixels as a panel gets them: two bytes each, high byte first, rows from the top, no header")
       ->type_name("FRAME.bin");
+  command->add_flag("--dither", options->dither,
+                    "let --display and --rgb565 show the frame's 8 bits a channel in 5, 6 and 5 by ordered dither, without bands");
   add_offset_option(*command, *options);
   add_profile_option(*command, *options);
   add_transfer_option(*command, *options);

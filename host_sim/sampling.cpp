@@ -123,7 +123,7 @@ void add_sampling_options(CLI::App &command, SamplingOptions &options) {
                   "rays a pixel: one, regular:N (N x N), random:N, jitter:N (N a square) or quincunx[:DEPTH[:LEVELS]] "
                   "(adaptive: halved up to DEPTH times, default 3, where objects differ or a channel by more than LEVELS of 255, default 6)")
       ->type_name("PATTERN");
-  command.add_option("--filter", options.filter, "how they become a pixel: box (default) or tent")->type_name("FILTER");
+  command.add_option("--filter", options.filter, "how they become a pixel: box (default) or tent; gaussian or mitchell with regular:N, in the simulator only")->type_name("FILTER");
   command
       .add_option("--lens", options.lens,
                   "pinhole (default), orthographic[:SIZE] (world units across the shorter side; default: as the pinhole frames what it "
@@ -140,8 +140,12 @@ void set_sampling(Sampling &sampling, const SamplingOptions &options, const Core
   sampling.how.seed = options.seed;
   if (options.filter == "tent")
     sampling.how.filter = FC_FILTER_TENT;
+  else if (options.filter == "gaussian" || options.filter == "mitchell")
+    sampling.kernel = options.filter == "gaussian" ? Kernel::gaussian : Kernel::mitchell;
   else if (!options.filter.empty() && options.filter != "box")
-    throw UserError("--filter takes box or tent, not \"" + options.filter + "\"");
+    throw UserError("--filter takes box, tent, gaussian or mitchell, not \"" + options.filter + "\"");
+  if (sampling.kernel && sampling.how.pattern != &fc_pattern_regular)
+    throw UserError("--filter " + options.filter + " weighs a regular grid of rays; add --samples regular:N");
   if (sampling.how.pattern == &fc_pattern_quincunx && sampling.how.filter != FC_FILTER_BOX)
     throw UserError("--filter tent: quincunx weighs its rays by area, which is the box; choose another pattern");
 }

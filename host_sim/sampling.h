@@ -5,10 +5,12 @@
 #define FIXCAST_HOST_SAMPLING_H
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "kernel.h"
 #include "to_core.h"
 
 namespace host {
@@ -27,6 +29,7 @@ struct Sampling {
 
   bool wanted = false; /* false: fc_render_profile draws the frame */
   fc_sampling how = FC_SAMPLING_ONE;
+  std::optional<Kernel> kernel; /* a filter that the core has not: filter_frame draws the colours, of how.count x how.count rays a pixel */
   fc_orthographic orthographic{};
   fc_fisheye fisheye{};
 };

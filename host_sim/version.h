@@ -1,14 +1,12 @@
-/* The program's version, for --version and for what files say about their origin. */
+/* The program's version, for --version and for what files say about their origin: the library's. */
 #ifndef FIXCAST_HOST_VERSION_H
 #define FIXCAST_HOST_VERSION_H
 
-#ifndef FIXCAST_VERSION /* the build's, from the project's version */
-#define FIXCAST_VERSION "0.0.0"
-#endif
+#include "fixcast/version.h"
 
 namespace host {
 
-inline constexpr const char *version = FIXCAST_VERSION;
+inline constexpr const char *version = FC_VERSION_TEXT;
 
 } // namespace host
 

@@ -28,6 +28,7 @@
 #include "fixcast/scene.h"
 #include "fixcast/transfer.h"
 #include "fixcast/vec3.h"
+#include "fixcast/version.h"
 #include "fixcast/volume.h"
 
 #endif

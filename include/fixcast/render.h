@@ -86,6 +86,16 @@ int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *came
  * independent: two cores may draw strips of one frame at the same time, each into its own target, in any order (README). */
 int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
 
+/* What a strip is drawn in, one a core that draws at the same time; nothing has to be kept there between calls. */
+#define FC_SCRATCH_WORDS (sizeof(void *) > 4 ? 352 : 316)
+typedef struct fc_scratch {
+  int64_t words[FC_SCRATCH_WORDS];
+} fc_scratch;
+
+/* The same as fc_render_rows with most of what that takes from the stack in memory of the caller's: for chips with little stack a
+ * core, or an interrupt's (docs/SPEC.md section 12 has the bytes). Errors: those of fc_render_rows; FC_ERR_NULL without scratch. */
+int fc_render_rows_in(fc_scratch *scratch, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
+
 /*
  * Renders rows y .. y + rows - 1 as the frame's profile says.
  *

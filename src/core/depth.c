@@ -22,11 +22,10 @@ FC_COLD void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
 }
 
 /* The sign of near / z - odd 2^exponent. */
-static FC_COLD int8_t compare_depth(const fc_frame *frame, const fc_root *root, uint32_t odd, int8_t exponent) {
+static FC_COLD int8_t compare_depth(fc_wide *w, const fc_frame *frame, const fc_root *root, uint32_t odd, int8_t exponent) {
   const fc_quick no_value = {0, 0};
   fc_num value = fc_root_value(root), near = fc_num_from_u64(frame->depth_near, 0);
   const fc_num half = fc_num_from_u64(odd, exponent);
-  fc_wide w;
   /* by 63-bit values, all within 2^-56, ... */
   fc_num_times_u64(&value, (uint64_t)frame->view.focal);
   fc_num_over(&near, &value);
@@ -35,14 +34,14 @@ static FC_COLD int8_t compare_depth(const fc_frame *frame, const fc_root *root, 
     return near.m > half.m ? 1 : -1;
   }
   /* ... and cleared of fractions: 32 + 29 bits against 18 + 30 */
-  fc_wide_start(&w);
-  fc_wide_push64(&w, (int64_t)frame->depth_near << -exponent);
-  fc_wide_push64(&w, -(int64_t)odd * frame->view.focal);
-  fc_wide_push64(&w, 0);
-  return fc_root_sign(root, no_value, &w, FC_DECIDE_DEPTH);
+  fc_wide_start(w);
+  fc_wide_push64(w, (int64_t)frame->depth_near << -exponent);
+  fc_wide_push64(w, -(int64_t)odd * frame->view.focal);
+  fc_wide_push64(w, 0);
+  return fc_root_sign(root, no_value, w, FC_DECIDE_DEPTH);
 }
 
-FC_COLD uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root) {
+FC_COLD uint16_t fc_depth_code_in(fc_wide *w, const fc_frame *frame, const fc_root *root) {
   uint8_t e_bits = frame->depth_exponent_bits, m_bits = (uint8_t)(16 - e_bits);
   int32_t octaves = INT32_C(1) << e_bits, octave;
   fc_quick z = fc_quick_mul(fc_root_quick(root), fc_quick_from((uint64_t)frame->view.focal, 0));
@@ -56,12 +55,17 @@ FC_COLD uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root) {
   code = ((uint32_t)octave << m_bits) + mantissa - (UINT32_C(1) << m_bits);
   /* v is within 2^-24, 2^8 units of its mantissa. Where it is just off a step, either step is rounded to the same code. */
   if (fc_abs32(over) >> (m_bits + 9) == 0)
-    up = compare_depth(frame, root, 2 * mantissa + 1, (int8_t)(octave - octaves - m_bits - 1));
+    up = compare_depth(w, frame, root, 2 * mantissa + 1, (int8_t)(octave - octaves - m_bits - 1));
   else
     FC_TALLY(FC_DECIDE_DEPTH, false);
   if (up >= 0) code++;
   if (code == 0) return 1;
   return code > UINT16_MAX ? UINT16_MAX : (uint16_t)code;
+}
+
+FC_COLD uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root) {
+  fc_wide w;
+  return fc_depth_code_in(&w, frame, root);
 }
 
 FC_COLD uint32_t fc_depth_z(const fc_frame *frame, uint16_t code, int *exponent) {

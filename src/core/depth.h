@@ -7,7 +7,8 @@
 #include "fixcast/render.h"
 #include "root.h"
 
-/* Code of a hit: 1 (far) .. 0xffff (near). */
+/* Code of a hit: 1 (far) .. 0xffff (near); worked out in *w. */
+uint16_t fc_depth_code_in(fc_wide *w, const fc_frame *frame, const fc_root *root);
 uint16_t fc_depth_code(const fc_frame *frame, const fc_root *root);
 
 /* Chooses anchor and exponent bits for camera z in near .. far (grid units; near 0: may touch the eye's plane;

@@ -92,9 +92,9 @@ struct fc_kind {
   /* How many roots with t > 0: 0, 1 or 2, and the first of them; the second has q = 1 instead. |direction| components below 2^30. */
   uint8_t (*test)(const fc_prepared *prepared, const int64_t direction[3], fc_root *root);
   /* Whether the open segment meets the form. */
-  bool (*blocked)(const fc_form *form, const fc_segment *segment);
+  bool (*blocked)(const fc_form *form, fc_segment *segment);
   /* Whether the side of the form that the eye, at 0, sees faces the light. */
-  bool (*facing)(const fc_form *form, const fc_segment *segment);
+  bool (*facing)(const fc_form *form, fc_segment *segment);
   /* A vector along the normal at a point. */
   void (*normal)(const fc_form *form, const int64_t point[3], int64_t normal[3]);
   /* The side of the surface that a point is on: 1 where the normal points to, 0 on it, -1. Points below 2^62. */

@@ -156,18 +156,28 @@ FC_COLD void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *oc
     }
 }
 
-typedef struct caster {
-  fc_scan *scan;
-  fc_planar *planar;
-} caster;
+/* Rows whose ends are taken at a time where the rectangle will not do. */
+#define HULL_ROWS 4
+
+/* What a tile of a planar receiver is lit in. */
+typedef struct planar_work {
+  fc_planar planar;
+  cosine g;
+  fc_form occluder;
+  fc_reach reach;
+  fc_space space;
+  int64_t hull[6 * HULL_ROWS];
+} planar_work;
+
+typedef char work_fits[sizeof(planar_work) <= FC_SCAN_WORK * sizeof(int64_t) ? 1 : -1];
 
 static FC_COLD bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
-  const caster *c = context;
-  fc_form form;
-  if ((uint16_t)(at->group.first + index) == c->scan->primitive) return false;
+  fc_scan *scan = context;
+  planar_work *work = (void *)scan->work;
+  if ((uint16_t)(at->group.first + index) == scan->primitive) return false;
   if (fc_kind_of(at)->casts != NULL && !fc_kind_of(at)->casts(&at->group, index)) return false;
-  fc_kind_of(at)->fetch(&at->group, index, &form);
-  fc_kind_of(at)->shadow(c->scan, c->planar, fc_kind_of(at), &form);
+  fc_kind_of(at)->fetch(&at->group, index, &work->occluder);
+  fc_kind_of(at)->shadow(scan, &work->planar, fc_kind_of(at), &work->occluder);
   return false;
 }
 
@@ -214,42 +224,56 @@ static FC_COLD bool find_rectangle(const fc_scan *scan, fc_planar *planar) {
   return any;
 }
 
-/* Corners around the points of the plane that a tile's mask shows: those of the mask's rectangle; where they lie beyond the
- * horizon, the ends of its rows. Lines of pixels are lines on the plane, so hulls are hulls. Returns their number, 0 where
- * they are too far away. */
-static FC_COLD uint8_t find_hull(const fc_scan *scan, const fc_planar *planar, int64_t points[6 * FC_SCAN_ROWS]) {
-  uint16_t row, ends[2];
-  uint8_t count = 0, i;
+/* The corners of a tile's rectangle on the plane; false where one lies beyond the horizon, or too far away. Lines of pixels are
+ * lines on the plane, so hulls are hulls. */
+static FC_COLD bool find_corners(const fc_scan *scan, const fc_planar *planar, int64_t points[12]) {
+  uint8_t i;
   for (i = 0; i < 4; i++)
-    if (!foot(scan, planar, i & 1 ? planar->top : planar->bottom, i & 2 ? planar->left : planar->right, points + 3 * i)) break;
-  if (i == 4) return 4;
-  for (row = planar->top; row <= planar->bottom; row++) {
+    if (!foot(scan, planar, i & 1 ? planar->top : planar->bottom, i & 2 ? planar->left : planar->right, points + 3 * i)) return false;
+  return true;
+}
+
+/* Corners around what some rows of the mask show: their ends. Their number; 0 where there are none, or where they are too far away: then
+ * *far is set. */
+static FC_COLD uint8_t find_ends(const fc_scan *scan, const fc_planar *planar, uint16_t row, int64_t points[6 * HULL_ROWS], bool *far) {
+  uint16_t end = (uint16_t)(row + HULL_ROWS), ends[2];
+  uint8_t count = 0, i;
+  for (; row < end && row <= planar->bottom; row++) {
     if (!row_ends(scan, row, ends)) continue;
     for (i = 0; i < 2; i++, count++)
-      if (!foot(scan, planar, row, ends[i], points + 3 * count)) return 0;
+      if (!foot(scan, planar, row, ends[i], points + 3 * count)) {
+        *far = true;
+        return 0;
+      }
   }
   return count;
 }
 
 /* Hands those who may stand between the light and the hull to cast_one. */
-static FC_COLD void cast_from(fc_scan *scan, fc_planar *planar, const int64_t *hull, uint8_t corners, int64_t radius) {
-  fc_space space = fc_space_of_frame(scan->frame);
-  caster c;
-  space.entered = scan->frame->casters;
-  fc_reach reach;
-  c.scan = scan;
-  c.planar = planar;
-  reach.from = scan->frame->lights;
-  reach.to = hull;
-  reach.corners = corners;
-  reach.radius = radius;
-  reach.limited = false;
-  (void)fc_space_search(&space, corners > 0 ? &reach : NULL, cast_one, &c);
+static FC_COLD void cast_from(fc_scan *scan, planar_work *work, const int64_t *hull, uint8_t corners, int64_t radius) {
+  work->space = scan->space;
+  work->space.entered = scan->frame->casters;
+  work->reach.from = scan->frame->lights;
+  work->reach.to = hull;
+  work->reach.corners = corners;
+  work->reach.radius = radius;
+  work->reach.limited = false;
+  (void)fc_space_search(&work->space, corners > 0 ? &work->reach : NULL, cast_one, scan);
 }
 
-static FC_COLD void cast_from_tile(fc_scan *scan, fc_planar *planar) {
-  int64_t points[6 * FC_SCAN_ROWS];
-  cast_from(scan, planar, points, find_hull(scan, planar, points), 1); /* corners are rounded */
+/* From all that the tile shows: the rectangle, or rows, a few at a time. */
+static FC_COLD void cast_from_tile(fc_scan *scan, planar_work *work) {
+  const fc_planar *planar = &work->planar;
+  uint16_t row;
+  bool far = false;
+  if (find_corners(scan, planar, work->hull)) {
+    cast_from(scan, work, work->hull, 4, 1); /* corners are rounded */
+    return;
+  }
+  for (row = planar->top; row <= planar->bottom && !far; row = (uint16_t)(row + HULL_ROWS)) {
+    const uint8_t corners = find_ends(scan, planar, row, work->hull, &far);
+    if (corners > 0 || far) cast_from(scan, work, work->hull, corners, 1); /* 0: everybody is asked */
+  }
 }
 
 /*
@@ -257,8 +281,9 @@ static FC_COLD void cast_from_tile(fc_scan *scan, fc_planar *planar) {
  * is cut, k is off by `slack` <= 2^33 and n.D by 3 * 2^30: with both at least 2^50, points move by less than 2^-16 of themselves. False when
  * that does not hold.
  */
-static FC_COLD bool cast_from_part(fc_scan *scan, fc_planar *planar) {
-  int64_t points[12], radius = 1;
+static FC_COLD bool cast_from_part(fc_scan *scan, planar_work *work) {
+  const fc_planar *planar = &work->planar;
+  int64_t *points = work->hull, radius = 1;
   uint8_t i, bits = 0;
   if (planar->slack != 0 && planar->k >> 50 == 0) return false;
   for (i = 0; i < 4; i++) {
@@ -270,7 +295,7 @@ static FC_COLD bool cast_from_part(fc_scan *scan, fc_planar *planar) {
   }
   if (bits > 30) return false;
   if (planar->slack != 0) radius += INT64_C(1) << (bits > 16 ? bits - 16 : 0);
-  cast_from(scan, planar, points, 4, radius);
+  cast_from(scan, work, points, 4, radius);
   return true;
 }
 
@@ -309,14 +334,15 @@ FC_COLD void fc_planar_find_steps(fc_planar *planar) {
 }
 
 /* Candidates for occluders, each asked to darken what it can. */
-static void cast_shadows(fc_scan *scan, fc_planar *planar, const int64_t *hull, uint8_t corners) {
+static void cast_shadows(fc_scan *scan, planar_work *work, const int64_t *hull, uint8_t corners) {
   const bool sieve = scan->frame->scene.bvh != NULL;
+  fc_planar *planar = &work->planar;
   if (!find_rectangle(scan, planar)) return;
   planar->corners_known = planar->edges_known = planar->steps_known = false;
   if (corners == 0 && sieve)
-    cast_from_tile(scan, planar);
-  else if (!sieve || scan->columns * scan->rows < SMALL_TILE || !cast_from_part(scan, planar))
-    cast_from(scan, planar, hull, corners, 1);
+    cast_from_tile(scan, work);
+  else if (!sieve || scan->columns * scan->rows < SMALL_TILE || !cast_from_part(scan, work))
+    cast_from(scan, work, hull, corners, 1);
 }
 
 /* What cosines need of a row: W.W / 2^30 and its differences, and the numerator. */
@@ -561,8 +587,8 @@ FC_COLD int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]) {
 }
 
 FC_COLD void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
-  fc_planar planar;
-  cosine g = {0, 0, 0};
+  planar_work *work = (void *)scan->work;
+  fc_planar *planar = &work->planar;
   uint16_t row;
   uint8_t word;
   bool any = false, lit = true, known = false, slow = false;
@@ -572,10 +598,10 @@ FC_COLD void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, 
       if (*bits == 0) continue;
       if (!fc_scan_wants_light(scan, row, (uint16_t)(32 * word), *bits)) continue;
       if (!known) {
-        set_plane(scan, &planar, normal, k, hull);
-        lit = fc_planar_side(&planar, scan->frame->lights) > 0;
+        set_plane(scan, planar, normal, k, hull);
+        lit = fc_planar_side(planar, scan->frame->lights) > 0;
         /* the eye, or W, too close to the plane for the forms */
-        slow = lit && (planar.k <= planar.slack || !set_forms(scan, &planar, &g));
+        slow = lit && (planar->k <= planar->slack || !set_forms(scan, planar, &work->g));
         known = true;
       }
       if (!lit)
@@ -587,6 +613,6 @@ FC_COLD void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, 
     }
   }
   if (!any) return;
-  cast_shadows(scan, &planar, hull, corners);
-  shade(scan, &planar, &g);
+  cast_shadows(scan, work, hull, corners);
+  shade(scan, planar, &work->g);
 }

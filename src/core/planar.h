@@ -38,6 +38,7 @@ struct fc_planar {
   fc_planar_edge edge[2];       /* upper and lower (scan_sphere.c) */
   uint32_t per_column, per_row; /* 2^32 / steps between corners, below by less than 2 */
   bool corners_known, edges_known, steps_known;
+  int64_t work[FC_SHADOW_WORK]; /* of the occluder at hand */
 };
 
 /* Find `corner`; `per_column` and `per_row`. */

@@ -137,12 +137,12 @@ static FC_COLD int8_t side(const fc_form *form, const int64_t point[3]) {
   return fc_i128_sign(along);
 }
 
-static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
+static FC_COLD bool blocked(const fc_form *form, fc_segment *segment) {
   int8_t light = side(form, segment->light);
   return light != 0 && fc_side_of_point(segment, form->u.plane.normal, fc_i128_from(form->u.plane.k)) == light;
 }
 
-static FC_COLD bool facing(const fc_form *form, const fc_segment *segment) {
+static FC_COLD bool facing(const fc_form *form, fc_segment *segment) {
   return side(form, fc_eye) * side(form, segment->light) > 0;
 }
 

@@ -95,6 +95,7 @@ static fc_target row_of(const fc_frame *frame, const fc_target *target, uint16_t
 
 static int draw_field(const fc_frame *frame, uint8_t field, uint16_t y, uint16_t rows, const fc_target *target) {
   const uint16_t first = (y ^ field) & 1;
+  fc_scan scan;
   uint16_t row;
   int bytes = fc_render_check(frame, y, rows, target);
   if (bytes < 0) return bytes;
@@ -103,7 +104,7 @@ static int draw_field(const fc_frame *frame, uint8_t field, uint16_t y, uint16_t
     const fc_target one = row_of(frame, target, row);
     fc_strip_clear(frame, (uint16_t)(y + row), 1, &one);
   }
-  fc_strip_draw(frame, y, rows, target, field ^ 1);
+  fc_strip_draw(&scan, frame, y, rows, target, field ^ 1);
   for (row = first; row < rows; row = (uint16_t)(row + 2)) {
     const fc_target one = row_of(frame, target, row);
     fc_strip_finish(frame, 1, &one);

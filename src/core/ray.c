@@ -37,45 +37,46 @@ typedef struct nearest_test {
   const int64_t *origin, *direction;
   uint64_t t_min_q32, t_max_q32;
   fc_reach *reach; /* NULL: nobody wants to know how far it is */
-  fc_root best;
+  fc_room *room;   /* `best` is found so far */
   uint16_t found;
   bool bounded;
 } nearest_test;
 
 static FC_COLD uint8_t meet(const fc_cursor *at, uint16_t index, const nearest_test *test, fc_root *root) {
-  fc_form form;
-  fc_kind_of(at)->fetch(&at->group, index, &form);
-  return fc_form_meet(fc_kind_of(at), &form, test->origin, test->direction, root);
+  fc_form *form = &test->room->form;
+  fc_kind_of(at)->fetch(&at->group, index, form);
+  return fc_form_meet_in(&test->room->prepared, fc_kind_of(at), form, test->origin, test->direction, root);
 }
 
 static FC_COLD bool nearer(void *context, const fc_cursor *at, uint16_t index) {
   nearest_test *test = context;
   uint16_t primitive = (uint16_t)(at->group.first + index);
-  fc_root first;
-  uint8_t count = meet(at, index, test, &first);
+  fc_root *first = &test->room->next;
+  uint8_t count = meet(at, index, test, first);
   if (count == 0) return false;
-  if (test->bounded && !first_within(&first, count, test->t_min_q32, test->t_max_q32)) return false;
+  if (test->bounded && !first_within(first, count, test->t_min_q32, test->t_max_q32)) return false;
   if (test->found != NO_PRIMITIVE) {
-    int8_t order = fc_root_compare(&first, &test->best);
+    int8_t order = fc_root_compare_in(&test->room->segment.wide, first, &test->room->best);
     if (order > 0 || (order == 0 && primitive > test->found)) return false;
   }
-  test->best = first;
+  test->room->best = *first;
   test->found = primitive;
   if (test->reach != NULL) {
-    test->reach->limit = fc_root_quick(&first);
+    test->reach->limit = fc_root_quick(first);
     test->reach->limited = true;
   }
   return false;
 }
 
-FC_COLD uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const int64_t direction[3], uint64_t t_min_q32,
-                          uint64_t t_max_q32, fc_root *nearest) {
+static FC_COLD uint16_t nearest_in(fc_room *room, const fc_space *space, const int64_t origin[3], const int64_t direction[3],
+                                   uint64_t t_min_q32, uint64_t t_max_q32, fc_root *nearest) {
   nearest_test test;
   fc_reach reach;
   test.origin = origin;
   test.direction = direction;
   test.t_min_q32 = t_min_q32;
   test.t_max_q32 = t_max_q32;
+  test.room = room;
   test.reach = space->scene->bvh == NULL ? NULL : &reach;
   test.found = NO_PRIMITIVE;
   test.bounded = nearest != NULL;
@@ -86,8 +87,20 @@ FC_COLD uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3]
   reach.limited = test.bounded && t_max_q32 != UINT64_MAX;
   if (reach.limited) reach.limit = fc_quick_from(t_max_q32, -32);
   (void)fc_space_search(space, &reach, nearer, &test);
-  if (test.found != NO_PRIMITIVE && nearest != NULL) *nearest = test.best;
+  if (test.found != NO_PRIMITIVE && nearest != NULL) *nearest = room->best;
   return test.found;
+}
+
+static FC_COLD uint16_t nearest_here(const fc_space *space, const int64_t origin[3], const int64_t direction[3], uint64_t t_min_q32,
+                                     uint64_t t_max_q32, fc_root *nearest) {
+  fc_room room;
+  return nearest_in(&room, space, origin, direction, t_min_q32, t_max_q32, nearest);
+}
+
+FC_COLD uint16_t fc_space_nearest(const fc_space *space, const int64_t origin[3], const int64_t direction[3], uint64_t t_min_q32,
+                                  uint64_t t_max_q32, fc_root *nearest) {
+  return space->room != NULL ? nearest_in(space->room, space, origin, direction, t_min_q32, t_max_q32, nearest)
+                             : nearest_here(space, origin, direction, t_min_q32, t_max_q32, nearest);
 }
 
 FC_COLD void fc_surface_hit(const fc_surface *surface, fc_hit *hit) {

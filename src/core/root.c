@@ -102,7 +102,7 @@ FC_COLD int8_t fc_root_sign(const fc_root *root, fc_quick t, fc_wide *w, fc_deci
   return (int8_t)(x * w->sign[4]);
 }
 
-FC_COLD int8_t fc_root_compare(const fc_root *a, const fc_root *b) {
+FC_COLD int8_t fc_root_compare_in(fc_wide *w, const fc_root *a, const fc_root *b) {
   /* b's own polynomial c - 2 p t + m t^2 at a's t, and half its derivative, which tells on which side of its apex a is:
    * 0 c, 1 p, 2 m, 3 one */
   static const uint8_t polynomial[] FC_ROM = {FC_SUM(1, 0), FC_TIMES(0, 3), FC_SUM(0, 2), FC_TIMES(1, 3), FC_TIMES(1, 3),
@@ -112,19 +112,23 @@ FC_COLD int8_t fc_root_compare(const fc_root *a, const fc_root *b) {
   int8_t sign = b->q;
   uint8_t i;
   for (i = 0; i < 2; i++) {
-    fc_wide w;
     int8_t s;
-    fc_wide_start(&w);
-    fc_wide_push(&w, &b->c);
-    fc_wide_push(&w, &b->p);
-    fc_wide_push(&w, &b->m);
-    fc_wide_push64(&w, 1);
-    fc_wide_run(&w, i == 0 ? derivative : polynomial);
-    s = fc_root_sign(a, t, &w, FC_DECIDE_NEARER);
+    fc_wide_start(w);
+    fc_wide_push(w, &b->c);
+    fc_wide_push(w, &b->p);
+    fc_wide_push(w, &b->m);
+    fc_wide_push64(w, 1);
+    fc_wide_run(w, i == 0 ? derivative : polynomial);
+    s = fc_root_sign(a, t, w, FC_DECIDE_NEARER);
     if (i != 0) return (int8_t)(sign * s);
     if (sign == 0 || s == -sign) return s;
   }
   return 0;
+}
+
+FC_COLD int8_t fc_root_compare(const fc_root *a, const fc_root *b) {
+  fc_wide w;
+  return fc_root_compare_in(&w, a, b);
 }
 
 FC_COLD int8_t fc_root_compare_q32(const fc_root *root, uint64_t t_q32) {
@@ -138,23 +142,27 @@ FC_COLD int8_t fc_root_compare_q32(const fc_root *root, uint64_t t_q32) {
   return (int8_t)-fc_root_sign(root, fc_root_quick(root), &w, FC_DECIDE_FAR);
 }
 
-FC_COLD int8_t fc_root_compare_distance(const fc_root *root, int64_t length2, int32_t far, int16_t exponent) {
+FC_COLD int8_t fc_root_compare_distance_in(fc_wide *w, const fc_root *root, int64_t length2, int32_t far, int16_t exponent) {
   /* 0 length2, 1 far, 2 2^max(exponent, 0), 3 2^max(-exponent, 0): all times the square of the last */
   static const uint8_t program[] FC_ROM = {FC_SUM(1, 0), FC_TIMES(1, 2), /* 4 */
                                            FC_SUM(1, 0), FC_TIMES(3, 3), /* 5 */
                                            FC_SUM(0, 1), FC_TIMES(4, 4), FC_NOTHING, FC_SUM(1, 0), FC_TIMES(0, 5), 0};
-  fc_wide w;
   uint8_t i;
-  fc_wide_start(&w);
-  fc_wide_push64(&w, length2);
-  fc_wide_push64(&w, far);
+  fc_wide_start(w);
+  fc_wide_push64(w, length2);
+  fc_wide_push64(w, far);
   for (i = 0; i < 2; i++) {
     /* up to 2^94 */
     fc_i128 one = {1, 0};
     one = fc_i128_shift_left(one, (uint8_t)(exponent > 0 ? exponent : 0));
-    fc_wide_push(&w, &one);
+    fc_wide_push(w, &one);
     exponent = (int16_t)-exponent;
   }
-  fc_wide_run(&w, program);
-  return fc_root_sign(root, fc_root_quick(root), &w, FC_DECIDE_FAR);
+  fc_wide_run(w, program);
+  return fc_root_sign(root, fc_root_quick(root), w, FC_DECIDE_FAR);
+}
+
+FC_COLD int8_t fc_root_compare_distance(const fc_root *root, int64_t length2, int32_t far, int16_t exponent) {
+  fc_wide w;
+  return fc_root_compare_distance_in(&w, root, length2, far, exponent);
 }

@@ -32,13 +32,15 @@ fc_quick fc_root_quick(const fc_root *root);
  * do without the filter. */
 int8_t fc_root_sign(const fc_root *root, fc_quick t, fc_wide *w, fc_decision decision);
 
-/* Sign of a - b, exact. */
+/* Sign of a - b, exact; worked out in *w. */
+int8_t fc_root_compare_in(fc_wide *w, const fc_root *a, const fc_root *b);
 int8_t fc_root_compare(const fc_root *a, const fc_root *b);
 
 /* Sign of t - t_q32 / 2^32, exact. */
 int8_t fc_root_compare_q32(const fc_root *root, uint64_t t_q32);
 
 /* Sign of t^2 |direction|^2 - (far * 2^exponent)^2, exact: is the hit beyond a distance? length2 = |direction|^2. */
+int8_t fc_root_compare_distance_in(fc_wide *w, const fc_root *root, int64_t length2, int32_t far, int16_t exponent);
 int8_t fc_root_compare_distance(const fc_root *root, int64_t length2, int32_t far, int16_t exponent);
 
 #endif

@@ -15,14 +15,15 @@
 /* Meets the primitive with the pixel's ray. */
 static FC_COLD bool meet(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], fc_root *root) {
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
-  return fc_form_meet(fc_kind_of(scan->at), scan->form, fc_eye, d, root) != 0;
+  return fc_form_meet_in(&scan->asked->room.prepared, fc_kind_of(scan->at), scan->form, fc_eye, d, root) != 0;
 }
 
-/* Whether the primitive is there, with its depth code: the root is not on the stack afterwards. */
+/* Whether the primitive is there, with its depth code. */
 static FC_COLD bool code_at(const fc_scan *scan, uint16_t row, uint16_t column, int64_t d[3], uint16_t *code) {
-  fc_root root;
-  if (!meet(scan, row, column, d, &root) || fc_too_far(scan->frame, &root, d)) return false;
-  *code = fc_depth_code(scan->frame, &root);
+  fc_root *root = &scan->asked->surface.root;
+  fc_wide *w = &scan->asked->room.segment.wide;
+  if (!meet(scan, row, column, d, root) || fc_too_far_in(w, scan->frame, root, d)) return false;
+  *code = fc_depth_code_in(w, scan->frame, root);
   return true;
 }
 
@@ -34,8 +35,7 @@ FC_COLD bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column) {
   if (code < *depth) return false;
   if (code == *depth) {
     /* whatever is drawn there, or will be: the pixel goes to the nearest of all */
-    fc_space space = fc_space_of_frame(scan->frame);
-    if (fc_space_nearest(&space, fc_eye, d, 0, UINT64_MAX, NULL) != scan->primitive) return false;
+    if (fc_space_nearest(&scan->space, fc_eye, d, 0, UINT64_MAX, NULL) != scan->primitive) return false;
   }
   *depth = code;
   return true;
@@ -62,13 +62,13 @@ static FC_COLD void surface_at(const fc_scan *scan, uint16_t row, uint16_t colum
 }
 
 FC_COLD bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const fc_kind *kind, const fc_form *occluder) {
-  fc_segment segment;
-  fc_root root;
+  fc_segment *segment = &scan->asked->room.segment;
+  fc_root *root = &scan->asked->surface.root;
   int64_t d[3];
   FC_TALLY(FC_DECIDE_LIT, true);
-  (void)meet(scan, row, column, d, &root);
-  fc_segment_from(&segment, &root, d, scan->frame->lights);
-  return kind->blocked(occluder, &segment);
+  (void)meet(scan, row, column, d, root);
+  fc_segment_from(segment, root, d, scan->frame->lights);
+  return kind->blocked(occluder, segment);
 }
 
 FC_COLD int8_t fc_scan_far(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t p, uint32_t error) {
@@ -183,6 +183,16 @@ typedef struct affine_form {
   uint32_t at, step, open;
 } affine_form;
 
+/* A level row has one depth, so one question will do. */
+static FC_COLD void ask_level(const fc_scan *scan, uint16_t row, uint16_t column, affine_form *form) {
+  int64_t d[3];
+  uint16_t code;
+  FC_TALLY(FC_DECIDE_PIXEL, true);
+  if (!code_at(scan, row, column, d, &code)) return;
+  form->at = ((uint32_t)code << 16) + 0x8000u;
+  form->open = 0;
+}
+
 static void set_codes(affine_form *form, uint64_t at, int64_t step, uint16_t count, uint32_t error, const fc_coder *coder) {
   /* p / 2^shift in 2^-16; p has 32 fraction bits, of which shift + 16 are dropped */
   const uint8_t drop = (uint8_t)(16 + coder->shift);
@@ -284,14 +294,10 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
     bool known = kind_of(frame, fc_high_word(fc_to_i64(at)), hidden, sure, coder, &kind);
     if (count > 511) count = 511;
     if (!known) {
-      uint16_t i;
-      if (count > 7) count = 7;
-      for (i = 0; i <= count; i++, at += (uint64_t)step) {
-        uint16_t x = (uint16_t)(column + i);
-        if (affine_pixel(scan, row, x, fc_high_word(fc_to_i64(at)), gain, error, scan->clip_far, coder))
-          scan->mask[row * scan->words + x / 32] |= UINT32_C(1) << (x % 32);
-      }
-      column = (uint16_t)(column + count + 1);
+      if (affine_pixel(scan, row, column, fc_high_word(fc_to_i64(at)), gain, error, scan->clip_far, coder))
+        scan->mask[row * scan->words + column / 32] |= UINT32_C(1) << (column % 32);
+      column++;
+      at += (uint64_t)step;
       continue;
     }
     next = at + fc_times((uint64_t)step, count);
@@ -307,16 +313,7 @@ void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, 
     if (!kind.hidden) {
       affine_form form;
       set_codes(&form, at, step, count, error, coder);
-      if (step == 0 && (form.at & 0xffffu) <= form.open) {
-        /* a level row has one depth, so one question will do */
-        int64_t d[3];
-        uint16_t code;
-        FC_TALLY(FC_DECIDE_PIXEL, true);
-        if (code_at(scan, row, column, d, &code)) {
-          form.at = ((uint32_t)code << 16) + 0x8000u;
-          form.open = 0;
-        }
-      }
+      if (step == 0 && (form.at & 0xffffu) <= form.open) ask_level(scan, row, column, &form);
       affine_plain(scan, row, column, count, &form);
     }
     at = next + (uint64_t)step;
@@ -361,16 +358,15 @@ void fc_scan_lit(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bi
 
 FC_COLD void fc_scan_shade_slowly(const fc_scan *scan, uint16_t row, uint16_t column, uint32_t bits) {
   size_t at = (size_t)(scan->y - scan->strip + row) * scan->frame->width + scan->x + column;
-  fc_space space = fc_space_of_frame(scan->frame);
+  fc_surface *surface = &scan->asked->surface;
   for (; bits != 0; bits >>= 1, column++, at++) {
-    fc_surface surface;
     int64_t d[3];
     uint64_t radiance_q39[3];
     uint32_t lit;
     if (!(bits & 1)) continue;
     if (scan->light == FC_LIGHT_ONE) FC_TALLY(FC_DECIDE_LIT, true); /* elsewhere no form promises to */
-    surface_at(scan, row, column, d, &surface);
-    fc_shade(scan->frame, &space, &surface, radiance_q39, &lit);
+    surface_at(scan, row, column, d, surface);
+    fc_shade(scan->frame, &scan->space, surface, radiance_q39, &lit);
     fc_shade_put(scan->frame, radiance_q39, scan->target->format, fc_scan_pixel(scan, row, column));
     if (scan->target->lit != NULL) scan->target->lit[at] = lit;
   }
@@ -483,7 +479,8 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
 
 /* ---- strips ---- */
 
-static FC_COLD void draw(fc_scan *scan, const fc_window *box, uint16_t rows) {
+static FC_COLD void draw(fc_scan *scan, uint16_t rows) {
+  const fc_window *box = &scan->box;
   int32_t strip_end = (int32_t)scan->strip + rows - 1, x;
   for (x = box->x0; x <= box->x1; x += FC_SCAN_WORDS * 32) {
     int32_t columns = box->x1 - x + 1, y, end, high = FC_SCAN_ROWS;
@@ -589,16 +586,14 @@ FC_COLD int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, co
 FC_COLD void fc_scan_item(fc_scan *scan, uint16_t index, uint16_t rows) {
   const fc_group *group = &scan->at->group;
   const fc_kind *kind = fc_kind_of(scan->at);
-  fc_form form;
-  fc_window box;
-  if (!kind->window(scan->frame, group, index, &box)) return;
-  if (box.y1 < (int32_t)scan->strip || box.y0 > (int32_t)scan->strip + rows - 1) return;
-  kind->fetch(group, index, &form);
-  scan->form = &form;
+  if (!kind->window(scan->frame, group, index, &scan->box)) return;
+  if (scan->box.y1 < (int32_t)scan->strip || scan->box.y0 > (int32_t)scan->strip + rows - 1) return;
+  kind->fetch(group, index, &scan->item);
+  scan->form = &scan->item;
   scan->index = index;
   scan->primitive = (uint16_t)(group->first + index);
   fc_scan_tint(scan);
-  draw(scan, &box, rows);
+  draw(scan, rows);
 }
 
 FC_COLD void fc_scan_each(fc_scan *scan, uint16_t rows) {
@@ -619,31 +614,44 @@ FC_COLD void fc_strip_finish(const fc_frame *frame, uint16_t rows, const fc_targ
   }
 }
 
-FC_COLD void fc_strip_draw(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target, uint8_t skip) {
-  fc_target drawn = *target;
-  fc_space space = fc_space_of_frame(frame);
-  fc_cursor cursor;
-  fc_scan scan;
-  scan.frame = frame;
+FC_COLD void fc_strip_draw(fc_scan *scan, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target, uint8_t skip) {
+  fc_cursor *cursor = &scan->cursor;
+  scan->frame = frame;
+  scan->drawn = *target;
   /* inner loops know one order of bytes */
-  if (target->format == FC_RGB565_LE) drawn.format = FC_RGB565_BE;
-  scan.target = &drawn;
-  scan.at = &cursor;
-  scan.strip = y;
-  scan.skip = skip;
-  scan.pixel_bytes = target->format == FC_RGB888 ? 3 : 2;
-  scan.clip_far = frame->scene.far_limit > 0;
-  fc_pixel_most(drawn.format, scan.tint.most);
-  scan.tint.format = drawn.format;
-  fc_cursor_start(&cursor, &space);
-  while (fc_cursor_next(&cursor)) fc_kind_of(&cursor)->strip(&scan, rows);
+  if (target->format == FC_RGB565_LE) scan->drawn.format = FC_RGB565_BE;
+  scan->target = &scan->drawn;
+  scan->at = cursor;
+  scan->asked = &scan->answer;
+  scan->strip = y;
+  scan->skip = skip;
+  scan->pixel_bytes = target->format == FC_RGB888 ? 3 : 2;
+  scan->clip_far = frame->scene.far_limit > 0;
+  fc_pixel_most(scan->drawn.format, scan->tint.most);
+  scan->tint.format = scan->drawn.format;
+  scan->space = fc_space_of_frame(frame);
+  scan->space.room = &scan->answer.room;
+  fc_cursor_start(cursor, &scan->space);
+  while (fc_cursor_next(cursor)) fc_kind_of(cursor)->strip(scan, rows);
+}
+
+static FC_COLD int render(fc_scan *scan, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+  fc_strip_clear(frame, y, rows, target);
+  fc_strip_draw(scan, frame, y, rows, target, FC_SKIP_NONE);
+  fc_strip_finish(frame, rows, target);
+  return FC_OK;
+}
+
+FC_COLD int fc_render_rows_in(fc_scratch *scratch, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+  typedef char fc_scratch_is_large[sizeof(fc_scan) <= sizeof(fc_scratch) ? 1 : -1];
+  const int pixel_bytes = fc_render_check(frame, y, rows, target);
+  (void)sizeof(fc_scratch_is_large);
+  if (scratch == NULL) return FC_ERR_NULL;
+  return pixel_bytes < 0 ? pixel_bytes : render((fc_scan *)(void *)scratch, frame, y, rows, target);
 }
 
 FC_COLD int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
-  int pixel_bytes = fc_render_check(frame, y, rows, target);
-  if (pixel_bytes < 0) return pixel_bytes;
-  fc_strip_clear(frame, y, rows, target);
-  fc_strip_draw(frame, y, rows, target, FC_SKIP_NONE);
-  fc_strip_finish(frame, rows, target);
-  return FC_OK;
+  const int pixel_bytes = fc_render_check(frame, y, rows, target);
+  fc_scan scan;
+  return pixel_bytes < 0 ? pixel_bytes : render(&scan, frame, y, rows, target);
 }

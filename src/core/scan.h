@@ -39,6 +39,16 @@ typedef struct fc_tint {
   const fc_transfer *transfer; /* with one, the levels are those of 255, before rounding */
 } fc_tint;
 
+/* What exact answers are found in; one at a time. */
+typedef struct fc_asked {
+  fc_surface surface;
+  fc_room room;
+} fc_asked;
+
+/* Words that a kind draws in, and those of an occluder's shadow among them (planar.h). */
+#define FC_SCAN_WORK (sizeof(void *) > 4 ? 126 : 118)
+#define FC_SHADOW_WORK 44
+
 /* A primitive being drawn into a rectangle of the frame, of which the strip holds some rows. Where tiles lie depends on the
  * primitive alone, so that forms, which are rounded at a tile's origin, are the same for every strip height. */
 struct fc_scan {
@@ -57,7 +67,16 @@ struct fc_scan {
   bool clip_far;       /* the far limit may cut the primitive */
   uint8_t skip;        /* rows of the frame with this parity are left out; FC_SKIP_NONE: none */
   fc_tint tint;
+  fc_asked *asked;     /* below */
   uint32_t mask[FC_SCAN_WORDS]; /* bit i of word j of a row: pixel 32 j + i shows the primitive */
+  /* What would crowd the stack, where calls are deepest: */
+  fc_target drawn;     /* a target in the order of bytes that inner loops know */
+  fc_space space;
+  fc_cursor cursor;
+  fc_form item;
+  fc_window box;
+  fc_asked answer;
+  int64_t work[FC_SCAN_WORK]; /* of the kind that draws: where its forms and rows of pixels lie */
 };
 
 #define FC_SKIP_NONE 2
@@ -138,7 +157,7 @@ int fc_render_check(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_t
 /* A strip's parts, after the checks: background everywhere; the rows that aren't of parity `skip`; the other byte order of
  * FC_RGB565_LE, for which the first two write FC_RGB565_BE. */
 void fc_strip_clear(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
-void fc_strip_draw(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target, uint8_t skip);
+void fc_strip_draw(fc_scan *scan, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target, uint8_t skip);
 void fc_strip_finish(const fc_frame *frame, uint16_t rows, const fc_target *target);
 
 /* Depth tests of a row between two columns (inclusive), near / z affine: value / 2^(62 - gain) at `first`, off by at

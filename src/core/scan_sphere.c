@@ -178,19 +178,19 @@ static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
   const occluder_list *list = context;
   const fc_scan *scan = list->scan;
   ball_light *light = list->light;
-  fc_form form;
+  fc_form *form = &scan->asked->surface.form;
   fc_window box;
   int16_t center[3], radius = 0;
   uint8_t i;
   uint16_t primitive = (uint16_t)(at->group.first + index);
   if (primitive == scan->primitive) return false;
-  fc_kind_of(at)->fetch(&at->group, index, &form);
-  if (fc_kind_of(at)->hides == fc_sphere_hides) radius = shorten(&form, scan->frame->lights, light->unit, center);
+  fc_kind_of(at)->fetch(&at->group, index, form);
+  if (fc_kind_of(at)->hides == fc_sphere_hides) radius = shorten(form, scan->frame->lights, light->unit, center);
   if (radius != 0) {
     if (!short_between(short_square(center), short_dot(center, list->way), list->length, (uint32_t)radius + 4,
                        ((uint32_t)scan->form->u.sphere.radius >> light->unit) + 4))
       return false;
-  } else if (!fc_kind_of(at)->between(scan->frame, &form, scan->frame->lights, scan->form->u.sphere.center,
+  } else if (!fc_kind_of(at)->between(scan->frame, form, scan->frame->lights, scan->form->u.sphere.center,
                                       scan->form->u.sphere.radius, &box)) {
     return false;
   }
@@ -209,7 +209,6 @@ static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
 }
 
 static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
-  fc_space space = fc_space_of_frame(scan->frame);
   fc_reach reach;
   occluder_list list;
   uint64_t most = 0;
@@ -228,7 +227,7 @@ static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
   reach.corners = 1;
   reach.radius = scan->form->u.sphere.radius;
   reach.limited = false;
-  (void)fc_space_search(&space, &reach, add_occluder, &list);
+  (void)fc_space_search(&scan->space, &reach, add_occluder, &list);
 }
 
 /* 1 + h^2 - 2 s h in Q30 from s - h = e: Q16 * Q15, at least (1 - h)^2 > 2^-8. */
@@ -397,16 +396,15 @@ typedef struct pixel_question {
 static bool hides_pixel(void *context, const fc_cursor *at, uint16_t index) {
   const pixel_question *q = context;
   const fc_kind *kind = fc_kind_of(at);
-  fc_form form;
+  fc_form *form = &q->scan->asked->surface.form;
   int8_t hides = -1;
   if ((uint16_t)(at->group.first + index) == q->scan->primitive) return false;
-  kind->fetch(&at->group, index, &form);
-  if (kind->hides != NULL) hides = kind->hides(&form, q->scan->frame->lights, q->point, q->error);
-  return hides > 0 || (hides < 0 && fc_scan_blocked(q->scan, q->row, q->column, kind, &form));
+  kind->fetch(&at->group, index, form);
+  if (kind->hides != NULL) hides = kind->hides(form, q->scan->frame->lights, q->point, q->error);
+  return hides > 0 || (hides < 0 && fc_scan_blocked(q->scan, q->row, q->column, kind, form));
 }
 
 static FC_COLD bool occluded_by_any(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
-  fc_space space = fc_space_of_frame(scan->frame);
   pixel_question question;
   fc_reach reach;
   int64_t to[3];
@@ -421,13 +419,13 @@ static FC_COLD bool occluded_by_any(const fc_scan *scan, const ball_light *light
   reach.corners = 1;
   reach.radius = question.error;
   reach.limited = false;
-  return fc_space_search(&space, &reach, hides_pixel, &question);
+  return fc_space_search(&scan->space, &reach, hides_pixel, &question);
 }
 
 /* Whether an occluder in the list keeps the light away from the pixel with this p. */
 static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
-  fc_space space = fc_space_of_frame(scan->frame);
-  fc_cursor cursor;
+  fc_cursor *cursor = &scan->asked->surface.at;
+  fc_form *form = &scan->asked->surface.form;
   int32_t point[3];
   int16_t way[3]; /* from the light to the point */
   uint32_t error, length;
@@ -443,7 +441,6 @@ static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint1
   }
   length = short_square(way);
   for (i = 0; i < light->occluders; i++) {
-    fc_form form;
     const fc_kind *kind;
     int8_t hides = -1;
     if (fits && light->occluder[i].radius != 0) {
@@ -457,11 +454,11 @@ static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint1
           scan->y + row > window->y1)
         continue;
     }
-    if (!fc_cursor_find(&cursor, &space, light->occluder[i].primitive, &index)) continue;
-    kind = fc_kind_of(&cursor);
-    kind->fetch(&cursor.group, index, &form);
-    if (kind->hides != NULL) hides = kind->hides(&form, scan->frame->lights, point, error);
-    if (hides > 0 || (hides < 0 && fc_scan_blocked(scan, row, column, kind, &form))) return true;
+    if (!fc_cursor_find(cursor, &scan->space, light->occluder[i].primitive, &index)) continue;
+    kind = fc_kind_of(cursor);
+    kind->fetch(&cursor->group, index, form);
+    if (kind->hides != NULL) hides = kind->hides(form, scan->frame->lights, point, error);
+    if (hides > 0 || (hides < 0 && fc_scan_blocked(scan, row, column, kind, form))) return true;
   }
   return false;
 }
@@ -621,8 +618,8 @@ static void light_row(const fc_scan *scan, ball_light *light, uint16_t row, uint
 
 /* The same among occluders, who are asked about the points. */
 static FC_COLD void light_row_among(const fc_scan *scan, ball_light *light, uint16_t row, uint16_t column,
-                                        uint32_t bits, const uint32_t *p) {
-  uint32_t e[32], rest;
+                                        uint32_t bits, const uint32_t *p, uint32_t e[32]) {
+  uint32_t rest;
   uint8_t i;
   for (i = 0, rest = bits; rest != 0; i++, rest >>= 1) e[i] = p[i];
   light_row(scan, light, row, column, bits, p, e);
@@ -1001,48 +998,60 @@ static void next_row(sphere_forms *ball, int64_t b_dy) {
   ball->b = fc_to_i64((uint64_t)ball->b + (uint64_t)b_dy);
 }
 
-static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
+/* What a tile of a sphere is drawn in. */
+typedef struct sphere_work {
   sphere_forms ball;
   ball_light light;
+  sphere_row at;
   fc_coder coder;
   int64_t b_dy;
+  uint32_t p[32], e[32];
+} sphere_work;
+
+typedef char work_fits[sizeof(sphere_work) <= FC_SCAN_WORK * sizeof(int64_t) ? 1 : -1];
+
+static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
+  sphere_work *work = (void *)scan->work;
+  sphere_forms *ball = &work->ball;
+  ball_light *light = &work->light;
+  sphere_row *at = &work->at;
+  uint32_t *ps = work->p;
   uint16_t row;
   uint8_t how = LIGHT_UNKNOWN;
-  set_ball(scan, placed, &ball, &b_dy);
-  set_last(&ball, (uint64_t)scan->columns - 1);
-  ball.clip = placed->seen == FC_SPHERE_CUT;
-  fc_coder_start(&coder, scan->frame, ball.drop, UINT32_C(1) << 29);
-  for (row = 0; row <= scan->last_row; row++, next_row(&ball, b_dy)) {
-    sphere_row at;
+  set_ball(scan, placed, ball, &work->b_dy);
+  set_last(ball, (uint64_t)scan->columns - 1);
+  ball->clip = placed->seen == FC_SPHERE_CUT;
+  fc_coder_start(&work->coder, scan->frame, ball->drop, UINT32_C(1) << 29);
+  for (row = 0; row <= scan->last_row; row++, next_row(ball, work->b_dy)) {
     uint16_t column;
     if (row < scan->first_row || fc_scan_skips(scan, row)) continue;
-    set_row(scan, &ball, &at);
-    if (at.first != at.from) draw_open(scan, row, at.first, at.from);
-    if (at.to != at.end) draw_open(scan, row, at.to, at.end);
-    for (column = at.from; column < at.to; column = (uint16_t)(column + 32)) {
-      uint32_t ps[32], bits, open, undecided, rough = 0;
-      uint8_t count = at.to - column < 32 ? (uint8_t)(at.to - column) : 32;
-      root_run(&ball, &at, ps, count);
-      open = ball.clip ? clip_run(scan, &ball, row, column, ps, ps, ps + count) : 0;
-      bits = test_run(scan, row, column, ps, ps + count, ball.error, &coder, &undecided);
+    set_row(scan, ball, at);
+    if (at->first != at->from) draw_open(scan, row, at->first, at->from);
+    if (at->to != at->end) draw_open(scan, row, at->to, at->end);
+    for (column = at->from; column < at->to; column = (uint16_t)(column + 32)) {
+      uint32_t bits, open, undecided, rough = 0;
+      uint8_t count = at->to - column < 32 ? (uint8_t)(at->to - column) : 32;
+      root_run(ball, at, ps, count);
+      open = ball->clip ? clip_run(scan, ball, row, column, ps, ps, ps + count) : 0;
+      bits = test_run(scan, row, column, ps, ps + count, ball->error, &work->coder, &undecided);
       open |= undecided;
       if (open != 0) {
-        bits |= settle(scan, &ball, &coder, row, column, open, ps, &rough);
+        bits |= settle(scan, ball, &work->coder, row, column, open, ps, &rough);
         bits &= ~rough;
       }
       if ((bits | rough) == 0 || !fc_scan_wants_light(scan, row, column, bits | rough)) continue;
       if (rough != 0) fc_scan_shade_slowly(scan, row, column, rough);
       if (bits == 0) continue;
       if (how == LIGHT_UNKNOWN) {
-        how = set_light(scan, &light, ball.drop, ball.error);
-        light.occluders = UNSOUGHT;
+        how = set_light(scan, light, ball->drop, ball->error);
+        light->occluders = UNSOUGHT;
       }
       if (how == LIGHT_SLOW)
         fc_scan_shade_slowly(scan, row, column, bits);
-      else if (light.occluders != 0)
-        light_row_among(scan, &light, row, column, bits, ps);
+      else if (light->occluders != 0)
+        light_row_among(scan, light, row, column, bits, ps, work->e);
       else
-        light_row(scan, &light, row, column, bits, ps, ps);
+        light_row(scan, light, row, column, bits, ps, ps);
     }
   }
 }
@@ -1143,7 +1152,8 @@ static FC_NOINLINE int8_t glance(const fc_form *form, const int64_t light[3], co
                      error >> shift);
 }
 
-FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+/* The same in 29 bits. */
+static FC_COLD int8_t hides_closely(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
   /* Light outside. With w = P - L, c = C - L and q = |c|^2 - r^2 > 0 the line meets the sphere iff (w.c)^2 >= w.w q and w.c > 0,
    * and it does so before P iff its foot does, w.c < w.w, or P is inside, w.w - 2 w.c + q < 0. Vectors are cut to 29 bits
    * and sums of three products by 2^30 more, to 30. */
@@ -1151,8 +1161,6 @@ FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], cons
   uint64_t most = (uint64_t)form->u.sphere.radius;
   uint8_t i, shift, bits;
   int64_t e, r;
-  int8_t at_once = glance(form, light, point, error);
-  if (at_once >= 0) return at_once;
   for (i = 0; i < 3; i++) {
     c[i] = form->u.sphere.center[i] - light[i];
     w[i] = point[i] - light[i];
@@ -1196,6 +1204,11 @@ FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], cons
   return difference > slack ? 0 : difference < -slack ? 1 : -1;
 }
 
+FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
+  const int8_t at_once = glance(form, light, point, error);
+  return at_once >= 0 ? at_once : hides_closely(form, light, point, error);
+}
+
 /* W.(C - L) over a tile, in units of 2^32: positive where the sphere lies ahead of the light, seen along W. */
 typedef struct ahead_form {
   int64_t at, dx, dy, margin;
@@ -1224,6 +1237,7 @@ static FC_COLD int8_t set_ahead(const fc_scan *scan, const fc_planar *receiver, 
 /* What decides a pixel that the shadow may touch. */
 typedef struct shadow_test {
   int64_t dark, lit; /* f above: in the dark; below: in the light */
+  int64_t bulge;     /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 of this */
   int8_t everywhere; /* the sphere lies ahead of the light everywhere; otherwise by: */
   bool doubted;      /* the row has pixels in `doubt` */
   ahead_form ahead;
@@ -1233,11 +1247,17 @@ typedef struct shadow_test {
   const fc_form *form;
 } shadow_test;
 
-/* Up to 8 pixels: those in the dark. */
+/* f along a row, at some column. */
+typedef struct shadow_run {
+  uint64_t f, dx, dxx;
+} shadow_run;
+
+/* Up to 8 pixels: those in the dark; adds to *asked those that the form leaves open. */
 static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column,
-                                       uint32_t bits, uint64_t f, uint64_t dx, uint64_t dxx) {
-  uint32_t dark = 0, bit = 1;
-  for (; bits != 0; bits >>= 1, bit <<= 1, column++, f += dx, dx += dxx) {
+                                       uint32_t bits, const shadow_run *at, uint32_t *asked) {
+  uint32_t dark = 0, open = 0, bit = 1;
+  uint64_t f = at->f, dx = at->dx;
+  for (; bits != 0; bits >>= 1, bit <<= 1, column++, f += dx, dx += at->dxx) {
     bool sure = fc_to_i64(f) > test->dark;
     if (!(bits & 1) || fc_to_i64(f) < test->lit) continue;
     if (test->everywhere == 0) {
@@ -1246,11 +1266,12 @@ static FC_NOINLINE uint32_t shade_some(const fc_scan *scan, const shadow_test *t
       if (a <= test->ahead.margin) sure = false;
     }
     if (test->doubted && scan->x + column >= test->doubt.x0 && scan->x + column <= test->doubt.x1) sure = false;
-    if (!sure)
-      sure = fc_scan_guesses(scan) ? fc_to_i64(f) > 0
-                                   : fc_planar_blocked(scan, test->receiver, row, column, test->kind, test->form);
-    if (sure) dark |= bit;
+    if (sure || (fc_scan_guesses(scan) && fc_to_i64(f) > 0))
+      dark |= bit;
+    else if (!fc_scan_guesses(scan))
+      open |= bit;
   }
+  *asked = open;
   return dark;
 }
 
@@ -1360,60 +1381,86 @@ static FC_NOINLINE bool beyond_edges(fc_planar *receiver, const int64_t center[3
   return false;
 }
 
-/* A row whose form is f, dx and dxx at its first pixel. */
-static FC_NOINLINE void darken_row(fc_scan *scan, const shadow_test *test, uint16_t row, uint64_t f, uint64_t dx, uint64_t dxx) {
-  const bool concave = fc_to_i64(dxx) < 0;
+/* Pixels of a word in the dark, from where the run stands; *asked: those that the form leaves open. */
+static FC_NOINLINE uint32_t darken_word(const fc_scan *scan, const shadow_test *test, uint16_t row, uint16_t column, uint32_t bits,
+                                        const shadow_run *from, uint32_t *asked) {
+  const bool concave = fc_to_i64(from->dxx) < 0;
+  const int64_t lit = test->lit, bulge = test->bulge;
+  shadow_run at = *from;
+  uint32_t darkened = 0;
+  uint8_t k;
+  for (k = 0; bits != 0; k = (uint8_t)(k + 8), bits >>= 8) {
+    /* 8 on: f + 8 dx + 28 dxx */
+    const uint64_t f8 = at.f + (at.dx << 3) + (at.dxx << 5) - (at.dxx << 2);
+    uint32_t some = bits & 0xffu, open;
+    if (concave && fc_to_i64(at.f) < lit && fc_to_i64(at.dx) <= 0) break;
+    if (some != 0) {
+      bool all = false;
+      if (column + k + 8 <= scan->columns) {
+        const bool falls = fc_to_i64(f8) < fc_to_i64(at.f);
+        const int64_t low = fc_to_i64(falls ? f8 : at.f), high = fc_to_i64(falls ? at.f : f8);
+        if (high < lit - (bulge << 3) || (concave && fc_to_i64(f8) < lit && fc_to_i64(at.dx + (at.dxx << 3) - at.dxx) >= 0))
+          some = 0;
+        else
+          all = low > test->dark + (bulge << 3) && test->everywhere > 0 && !test->doubted;
+      }
+      if (!all && some != 0) {
+        some = shade_some(scan, test, row, (uint16_t)(column + k), some, &at, &open);
+        *asked |= open << k;
+      }
+      darkened |= some << k;
+    }
+    at.f = f8;
+    at.dx += at.dxx << 3;
+  }
+  return darkened;
+}
+
+/* A row, from where the run stands: its first pixel. */
+static FC_NOINLINE void darken_row(fc_scan *scan, const shadow_test *test, uint16_t row, shadow_run *at) {
+  const bool concave = fc_to_i64(at->dxx) < 0;
   const int64_t lit = test->lit;
-  /* f is quadratic along a row: between columns n apart it differs from the chord by at most n^2 / 8 |dxx|; f, below 2^62,
-   * bends by 8 dxx over 8 columns */
-  const int64_t bulge = scan->columns < 8 ? 0 : (int64_t)fc_abs64(fc_to_i64(dxx));
   uint16_t column = 0;
   uint8_t word;
   for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
-    uint32_t bits = scan->mask[row * scan->words + word], darkened = 0;
+    uint32_t bits = scan->mask[row * scan->words + word], asked = 0;
     /* 32 columns on: f + 32 dx + 496 dxx */
-    uint64_t f_next = f + (dx << 5) + (dxx << 9) - (dxx << 4), dx_next = dx + (dxx << 5);
+    const uint64_t f_next = at->f + (at->dx << 5) + (at->dxx << 9) - (at->dxx << 4), dx_next = at->dx + (at->dxx << 5);
+    const int64_t least = lit - (test->bulge << 7);
     /* an ellipse: once f is below and falls, or as long as it still rises and stays below, there is nothing to find */
-    if (concave && fc_to_i64(f) < lit && fc_to_i64(dx) <= 0) break;
-    if (concave && word + 1 < scan->words && fc_to_i64(f_next) < lit && fc_to_i64(dx_next - dxx) >= 0) bits = 0;
+    if (concave && fc_to_i64(at->f) < lit && fc_to_i64(at->dx) <= 0) break;
+    if (concave && word + 1 < scan->words && fc_to_i64(f_next) < lit && fc_to_i64(dx_next - at->dxx) >= 0) bits = 0;
     /* what lies past the tile does not fit */
-    if (bits != 0 && (word + 1 == scan->words || fc_to_i64(f) >= lit - (bulge << 7) || fc_to_i64(f_next) >= lit - (bulge << 7))) {
-      uint8_t k;
-      for (k = 0; bits != 0; k = (uint8_t)(k + 8), bits >>= 8) {
-        /* 8 on: f + 8 dx + 28 dxx */
-        uint64_t f8 = f + (dx << 3) + (dxx << 5) - (dxx << 2);
-        uint32_t some = bits & 0xffu;
-        if (concave && fc_to_i64(f) < lit && fc_to_i64(dx) <= 0) break;
-        if (some != 0 && column + k + 8 > scan->columns) {
-          darkened |= shade_some(scan, test, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
-        } else if (some != 0) {
-          const bool falls = fc_to_i64(f8) < fc_to_i64(f);
-          const int64_t low = fc_to_i64(falls ? f8 : f), high = fc_to_i64(falls ? f : f8);
-          if (high >= lit - (bulge << 3) && !(concave && fc_to_i64(f8) < lit && fc_to_i64(dx + (dxx << 3) - dxx) >= 0)) {
-            if (low > test->dark + (bulge << 3) && test->everywhere > 0 && !test->doubted)
-              darkened |= some << k;
-            else
-              darkened |= shade_some(scan, test, row, (uint16_t)(column + k), some, f, dx, dxx) << k;
-          }
-        }
-        f = f8;
-        dx += dxx << 3;
-      }
-      if (darkened != 0) fc_planar_darken(scan, row, column, darkened);
+    if (bits != 0 && (word + 1 == scan->words || fc_to_i64(at->f) >= least || fc_to_i64(f_next) >= least)) {
+      uint32_t dark = darken_word(scan, test, row, column, bits, at, &asked), bit = 1;
+      uint16_t x = column;
+      for (; asked != 0; asked >>= 1, bit <<= 1, x++)
+        if ((asked & 1) && fc_planar_blocked(scan, test->receiver, row, x, test->kind, test->form)) dark |= bit;
+      if (dark != 0) fc_planar_darken(scan, row, column, dark);
     }
-    f = f_next;
-    dx = dx_next;
+    at->f = f_next;
+    at->dx = dx_next;
   }
 }
+
+/* What a shadow is found in. */
+typedef struct shadow_work {
+  fc_cone cone;
+  shadow_test test;
+  shadow_run run;
+} shadow_work;
+
+typedef char shadow_fits[sizeof(shadow_work) <= FC_SHADOW_WORK * sizeof(int64_t) ? 1 : -1];
 
 void fc_sphere_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
   const int64_t *c = form->u.sphere.center;
   int64_t center[3], radius = form->u.sphere.radius;
-  fc_cone cone;
+  shadow_work *work = (void *)receiver->work;
+  fc_cone *cone = &work->cone;
+  shadow_test *test = &work->test;
   uint16_t row;
   uint8_t i;
   bool known = false;
-  shadow_test clear;
   for (i = 0; i < 3; i++) center[i] = c[i] - scan->frame->lights[i]; /* below 2^31 */
   /* squares below 2^62, three of them below 2^64 */
   if (square_of(center) <= (uint64_t)(radius * radius)) {
@@ -1421,21 +1468,26 @@ void fc_sphere_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, c
     return;
   }
   if (beyond_edges(receiver, center, radius)) return;
-  clear.everywhere = set_ahead(scan, receiver, center, &clear.ahead);
-  if (clear.everywhere < 0) return;
-  fc_cone_setup(&cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
-  clear.dark = cone.error;
-  clear.lit = -cone.error;
-  clear.receiver = receiver;
-  clear.kind = kind;
-  clear.form = form;
-  for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(&cone)) {
-    if (row < scan->first_row || row_is_clear(&cone, clear.lit)) continue;
+  test->everywhere = set_ahead(scan, receiver, center, &test->ahead);
+  if (test->everywhere < 0) return;
+  fc_cone_setup(cone, center, radius, 0, &receiver->w, scan->columns, scan->rows);
+  test->dark = cone->error;
+  test->lit = -cone->error;
+  /* f, below 2^62, bends by 8 dxx over 8 columns */
+  test->bulge = scan->columns < 8 ? 0 : (int64_t)fc_abs64(cone->dxx);
+  test->receiver = receiver;
+  test->kind = kind;
+  test->form = form;
+  for (row = 0; row <= scan->last_row; row++, fc_cone_next_row(cone)) {
+    if (row < scan->first_row || row_is_clear(cone, test->lit)) continue;
     if (!known) {
-      if (!fc_planar_faces_ball(scan, receiver, c, radius, &clear.doubt)) return;
+      if (!fc_planar_faces_ball(scan, receiver, c, radius, &test->doubt)) return;
       known = true;
     }
-    clear.doubted = scan->y + row >= clear.doubt.y0 && scan->y + row <= clear.doubt.y1;
-    darken_row(scan, &clear, row, (uint64_t)cone.f, (uint64_t)cone.dx, (uint64_t)cone.dxx);
+    test->doubted = scan->y + row >= test->doubt.y0 && scan->y + row <= test->doubt.y1;
+    work->run.f = (uint64_t)cone->f;
+    work->run.dx = (uint64_t)cone->dx;
+    work->run.dxx = (uint64_t)cone->dxx;
+    darken_row(scan, test, row, &work->run);
   }
 }

@@ -71,20 +71,20 @@ FC_COLD const int64_t *fc_segment_direction(const fc_segment *segment) {
   return segment->root != NULL ? segment->direction : segment->point;
 }
 
-FC_COLD int8_t fc_segment_sign(const fc_segment *segment, fc_wide *w, fc_decision decision) {
-  return fc_root_sign(segment->root != NULL ? segment->root : &one, segment->t, w, decision);
+FC_COLD int8_t fc_segment_sign(fc_segment *segment, fc_decision decision) {
+  return fc_root_sign(segment->root != NULL ? segment->root : &one, segment->t, &segment->wide, decision);
 }
 
-FC_COLD int8_t fc_side_of_point(const fc_segment *segment, const int64_t n[3], fc_i128 k) {
+FC_COLD int8_t fc_side_of_point(fc_segment *segment, const int64_t n[3], fc_i128 k) {
   /* n 64 bits, direction 61: below 2^127 */
   fc_i128 along = fc_i128_dot(n, fc_segment_direction(segment));
-  fc_wide w;
-  fc_wide_start(&w);
-  fc_wide_push(&w, &k);
-  fc_wide_push(&w, &along);
-  w.sign[1] = (int8_t)-w.sign[1];
-  fc_wide_push64(&w, 0);
-  return fc_segment_sign(segment, &w, FC_DECIDE_SIDE);
+  fc_wide *w = &segment->wide;
+  fc_wide_start(w);
+  fc_wide_push(w, &k);
+  fc_wide_push(w, &along);
+  w->sign[1] = (int8_t)-w->sign[1];
+  fc_wide_push64(w, 0);
+  return fc_segment_sign(segment, FC_DECIDE_SIDE);
 }
 
 FC_COLD int64_t fc_small_norm1(const int64_t a[3]) {

@@ -23,6 +23,7 @@ typedef struct fc_segment {
   const fc_root *root;      /* NULL: `point` is the exact point */
   const int64_t *direction; /* with root */
   fc_quick t;               /* the root's value, by fc_segment_prepare; 0 without a useful point */
+  fc_wide wide;             /* where its decisions are worked out */
 } fc_segment;
 
 /* The eye of camera space, where segments are seen from. */
@@ -40,8 +41,8 @@ bool fc_segment_apart(const fc_segment *segment, const int64_t low[3], const int
 /* The point is t times this. */
 const int64_t *fc_segment_direction(const fc_segment *segment);
 
-/* fc_root_sign at the segment's point. */
-int8_t fc_segment_sign(const fc_segment *segment, fc_wide *w, fc_decision decision);
+/* fc_root_sign at the segment's point, of the list in segment->wide. */
+int8_t fc_segment_sign(fc_segment *segment, fc_decision decision);
 
 /* Rounds origin + t direction to the grid for a t within 2^-24; returns a bound of each coordinate's error, UINT32_MAX beyond 2^53
  * units: then the point is only a stand-in far out in the right direction. Directions below 2^30. */
@@ -52,7 +53,7 @@ uint32_t fc_point_near(fc_quick t, const int64_t origin[3], const int64_t direct
 bool fc_point_at(fc_num t, const int64_t origin[3], const int64_t direction[3], int64_t point[3]);
 
 /* Sign of k - n . P for a plane n . x = k: which side the point is on. */
-int8_t fc_side_of_point(const fc_segment *segment, const int64_t n[3], fc_i128 k);
+int8_t fc_side_of_point(fc_segment *segment, const int64_t n[3], fc_i128 k);
 
 /* |a.x| + |a.y| + |a.z|, and the dot product, for components up to 2^31 and 2^30: below 2^63. */
 int64_t fc_small_norm1(const int64_t a[3]);

@@ -80,38 +80,49 @@ static FC_COLD uint32_t irradiance_q24(fc_shading *shading, const fc_light *ligh
 }
 
 /* A light from a point that a mirror shows: from the rounded point, stepped off its surface. */
-static FC_COLD bool reaches_rounded(const fc_space *space, const fc_surface *surface, const int64_t position[3]) {
-  fc_segment segment;
+static FC_COLD bool reaches_rounded(const fc_space *space, fc_segment *segment, const fc_surface *surface, const int64_t position[3]) {
   fc_i128 along;
   int64_t n[3], to[3];
   uint8_t i;
-  for (i = 0; i < 3; i++) segment.light[i] = position[i];
-  segment.root = NULL;
-  segment.direction = NULL;
-  segment.outside = false; /* rounded, it may have slipped through */
-  segment.point_error = 0;
-  fc_surface_offset(surface, FC_OFFSET_RESIDUAL, 0, segment.point);
-  fc_kind_of(&surface->at)->normal(&surface->form, segment.point, n);
-  for (i = 0; i < 3; i++) to[i] = position[i] - segment.point[i];
+  for (i = 0; i < 3; i++) segment->light[i] = position[i];
+  segment->root = NULL;
+  segment->direction = NULL;
+  segment->outside = false; /* rounded, it may have slipped through */
+  segment->point_error = 0;
+  fc_surface_offset(surface, FC_OFFSET_RESIDUAL, 0, segment->point);
+  fc_kind_of(&surface->at)->normal(&surface->form, segment->point, n);
+  for (i = 0; i < 3; i++) to[i] = position[i] - segment->point[i];
   along = fc_i128_dot(n, to);
   if (fc_i128_sign(along) != (surface->inside ? -1 : 1)) return false;
-  fc_segment_prepare(&segment);
+  fc_segment_prepare(segment);
   /* a surface that faces the light is not in its way, but for a sphere around the point */
-  return !fc_space_blocked(space, &segment, surface->inside ? FC_PRIMITIVES_MAX : surface->primitive);
+  return !fc_space_blocked(space, segment, surface->inside ? FC_PRIMITIVES_MAX : surface->primitive);
+}
+
+static FC_COLD bool light_reaches(const fc_frame *frame, const fc_space *space, fc_segment *segment, const fc_surface *surface,
+                                  const int64_t position[3]) {
+  if ((surface->origin[0] | surface->origin[1] | surface->origin[2]) != 0) return reaches_rounded(space, segment, surface, position);
+  fc_segment_from(segment, &surface->root, surface->direction, position);
+  if (!fc_kind_of(&surface->at)->facing(&surface->form, segment)) return false;
+  if (frame->options.offset_rule == FC_OFFSET_EXACT) return !fc_space_blocked(space, segment, surface->primitive);
+  segment->root = NULL;
+  segment->outside = false; /* rounded, it may have slipped through */
+  segment->point_error = 0;
+  fc_surface_offset(surface, frame->options.offset_rule, frame->epsilon_grid, segment->point);
+  fc_segment_prepare(segment);
+  return !fc_space_blocked(space, segment, FC_PRIMITIVES_MAX);
+}
+
+/* Where the space has no room for it, on the stack. */
+static FC_COLD bool light_reaches_here(const fc_frame *frame, const fc_space *space, const fc_surface *surface,
+                                       const int64_t position[3]) {
+  fc_segment segment;
+  return light_reaches(frame, space, &segment, surface, position);
 }
 
 FC_COLD bool fc_light_reaches(const fc_frame *frame, const fc_space *space, const fc_surface *surface, const int64_t position[3]) {
-  fc_segment segment;
-  if ((surface->origin[0] | surface->origin[1] | surface->origin[2]) != 0) return reaches_rounded(space, surface, position);
-  fc_segment_from(&segment, &surface->root, surface->direction, position);
-  if (!fc_kind_of(&surface->at)->facing(&surface->form, &segment)) return false;
-  if (frame->options.offset_rule == FC_OFFSET_EXACT) return !fc_space_blocked(space, &segment, surface->primitive);
-  segment.root = NULL;
-  segment.outside = false; /* rounded, it may have slipped through */
-  segment.point_error = 0;
-  fc_surface_offset(surface, frame->options.offset_rule, frame->epsilon_grid, segment.point);
-  fc_segment_prepare(&segment);
-  return !fc_space_blocked(space, &segment, FC_PRIMITIVES_MAX);
+  return space->room != NULL ? light_reaches(frame, space, &space->room->segment, surface, position)
+                             : light_reaches_here(frame, space, surface, position);
 }
 
 /* ---- layers ---- */

@@ -175,7 +175,7 @@ FC_COLD bool fc_space_search(const fc_space *space, fc_reach *reach, fc_visit *v
 
 /* What is being tested for lying on a segment. */
 typedef struct block_test {
-  const fc_segment *segment;
+  fc_segment *segment;
   uint16_t skip;
 } block_test;
 
@@ -187,7 +187,7 @@ static bool blocks(void *context, const fc_cursor *at, uint16_t index) {
   return fc_kind_of(at)->blocked(&form, test->segment);
 }
 
-FC_COLD bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t skip) {
+FC_COLD bool fc_space_blocked(const fc_space *space, fc_segment *segment, uint16_t skip) {
   block_test test;
   fc_reach reach;
   test.segment = segment;
@@ -200,11 +200,16 @@ FC_COLD bool fc_space_blocked(const fc_space *space, const fc_segment *segment, 
   return fc_space_search(space, segment->point_error != UINT32_MAX ? &reach : NULL, blocks, &test);
 }
 
+FC_COLD uint8_t fc_form_meet_in(fc_prepared *prepared, const fc_kind *kind, const fc_form *form, const int64_t origin[3],
+                                const int64_t direction[3], fc_root *root) {
+  kind->prepare(form, origin, prepared);
+  return kind->test(prepared, direction, root);
+}
+
 FC_COLD uint8_t fc_form_meet(const fc_kind *kind, const fc_form *form, const int64_t origin[3], const int64_t direction[3],
                              fc_root *root) {
   fc_prepared prepared;
-  kind->prepare(form, origin, &prepared);
-  return kind->test(&prepared, direction, root);
+  return fc_form_meet_in(&prepared, kind, form, origin, direction, root);
 }
 
 FC_COLD bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primitive, const int64_t origin[3],

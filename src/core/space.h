@@ -8,12 +8,21 @@
 #include "fixcast/scene.h"
 #include "kind.h"
 
+/* Where exact answers are worked out, one at a time: it would crowd the stack. */
+typedef struct fc_room {
+  fc_segment segment; /* to a light */
+  fc_prepared prepared;
+  fc_form form;
+  fc_root best, next; /* of the nearest hit, and of the one that is compared with it */
+} fc_room;
+
 /* Where geometry is read from. */
 typedef struct fc_space {
   const fc_scene *scene; /* in RAM */
   const void *memory;    /* camera-space copies of all tables in order; NULL: world coordinates */
   const fc_view *view;   /* with memory: what brought them there */
   const uint8_t *entered; /* bit n % 8 of byte n / 8: whether a search enters node n of the hierarchy; NULL: all are */
+  fc_room *room;          /* NULL: on the stack */
 } fc_space;
 
 /* A scene in world coordinates. */
@@ -23,6 +32,7 @@ static inline fc_space fc_space_of_world(const fc_scene *scene) {
   space.memory = NULL;
   space.view = NULL;
   space.entered = NULL;
+  space.room = NULL;
   return space;
 }
 
@@ -33,6 +43,7 @@ static inline fc_space fc_space_of_frame(const fc_frame *frame) {
   space.memory = frame->memory;
   space.view = &frame->view;
   space.entered = NULL;
+  space.room = NULL;
   return space;
 }
 
@@ -65,10 +76,14 @@ bool fc_cursor_find(fc_cursor *cursor, const fc_space *space, uint16_t primitive
 int fc_scene_check_tables(const fc_scene *scene);
 
 /* Whether the open segment meets any primitive but `skip` (0xffff: none is skipped). */
-bool fc_space_blocked(const fc_space *space, const fc_segment *segment, uint16_t skip);
+bool fc_space_blocked(const fc_space *space, fc_segment *segment, uint16_t skip);
 
 /* Meets a form with a ray: fc_kind.test, on an origin of its own. */
 uint8_t fc_form_meet(const fc_kind *kind, const fc_form *form, const int64_t origin[3], const int64_t direction[3], fc_root *root);
+
+/* The same, worked out in *prepared. */
+uint8_t fc_form_meet_in(fc_prepared *prepared, const fc_kind *kind, const fc_form *form, const int64_t origin[3], const int64_t direction[3],
+                        fc_root *root);
 
 /* A surface point: a primitive, a ray and the root where they meet. */
 typedef struct fc_surface {

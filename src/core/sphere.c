@@ -137,12 +137,15 @@ static FC_COLD uint8_t test(const fc_prepared *prepared, const int64_t direction
    * direction 30 bits, oc 31: b < 3 * 2^61 < 2^63; a < 3 * 2^60; |c| < 2^64: a c < 2^126, b^2 < 2^126 (Lagrange:
    * b^2 <= a |oc|^2), so the difference is below 2^127. */
   int64_t b = fc_dot(direction, prepared->u.sphere.oc), a = fc_dot(direction, direction);
+  fc_i128 ac;
   int8_t outside = fc_i128_sign(prepared->u.sphere.c), sign;
   if (outside >= 0 && b <= 0) return 0;
   root->p = fc_i128_from(b);
   root->m = fc_i128_from(a);
   root->c = prepared->u.sphere.c;
-  root->d = fc_i128_sub(fc_i128_mul(b, b), fc_i128_scale(root->c, a));
+  ac = fc_i128_scale(root->c, a);
+  fc_i128_set_product(&root->d, b, b);
+  fc_i128_minus(&root->d, &ac);
   root->q = outside > 0 ? -1 : 1;
   sign = fc_i128_sign(root->d);
   if (sign < 0) return 0;
@@ -188,23 +191,23 @@ static const uint8_t met[] FC_ROM = {
     FC_SUM(1, 1), FC_TIMES(9, 9), FC_TIMES(8, 0), 0};
 
 /* The sign of a form. */
-static FC_COLD int8_t sign_of(const uint8_t *program, const fc_form *form, const fc_segment *segment, fc_decision decision) {
+static FC_COLD int8_t sign_of(const uint8_t *program, const fc_form *form, fc_segment *segment, fc_decision decision) {
   const int64_t *v[3];
-  fc_wide w;
+  fc_wide *w = &segment->wide;
   uint8_t i, j;
   v[0] = fc_segment_direction(segment);
   v[1] = segment->light;
   v[2] = form->u.sphere.center;
-  fc_wide_start(&w);
+  fc_wide_start(w);
   for (i = 0; i < 3; i++)
     for (j = i; j < 3; j++) {
       fc_i128 dot = fc_i128_dot(v[i], v[j]); /* factors of up to 62 bits */
-      fc_wide_push(&w, &dot);
+      fc_wide_push(w, &dot);
     }
-  fc_wide_push64(&w, form->u.sphere.radius);
-  fc_wide_push64(&w, 1);
-  fc_wide_run(&w, program);
-  return fc_segment_sign(segment, &w, decision);
+  fc_wide_push64(w, form->u.sphere.radius);
+  fc_wide_push64(w, 1);
+  fc_wide_run(w, program);
+  return fc_segment_sign(segment, decision);
 }
 
 /* The same as blocked by the rounded point: 1, 0, or -1 when that leaves it open, as everything does far out. */
@@ -216,7 +219,7 @@ static FC_COLD int8_t hides_rounded(const fc_form *form, const fc_segment *segme
   return fc_sphere_hides(form, segment->light, point, segment->point_error);
 }
 
-static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
+static FC_COLD bool blocked(const fc_form *form, fc_segment *segment) {
   int64_t low[3], high[3];
   int8_t light, point;
   bounds(form, low, high);
@@ -233,7 +236,7 @@ static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
   return light >= 0 && point >= 0 && light + point > 0 && sign_of(away, form, segment, FC_DECIDE_PASS) > 0;
 }
 
-static FC_COLD bool facing(const fc_form *form, const fc_segment *segment) {
+static FC_COLD bool facing(const fc_form *form, fc_segment *segment) {
   int8_t turned = sign_of(away, form, segment, FC_DECIDE_FACING);
   if (side(form, fc_eye) > 0) return turned < 0;
   /* from inside (or on it, looking in), the light must be inside too, or the sphere itself is in the way */

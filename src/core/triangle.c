@@ -226,7 +226,7 @@ static FC_COLD int8_t side(const fc_form *form, const int64_t point[3]) {
 }
 
 /* Edge signs of the line from the light L through the point P = t D: is it inside the closed triangle? */
-static FC_COLD bool pierced(const fc_form *form, const fc_segment *segment) {
+static FC_COLD bool pierced(const fc_form *form, fc_segment *segment) {
   /* N.(P - L) with N = (A - L) x (B - A): 0 .. 2 A - L, 3 .. 5 B - A, 6 .. 8 D, 9 .. 11 L */
   static const uint8_t program[] FC_ROM = {
       FC_SUM(1, 1), FC_TIMES(1, 5), FC_TIMES(2, 4), /* 12 .. 14: N */
@@ -238,22 +238,22 @@ static FC_COLD bool pierced(const fc_form *form, const fc_segment *segment) {
   uint8_t i, j, k;
   for (i = 0; i < 3; i++) {
     int64_t v[2][3];
-    fc_wide w;
+    fc_wide *w = &segment->wide;
     int8_t sign;
     subtract(form->u.triangle.vertex[i], segment->light, v[0]);
     subtract(form->u.triangle.vertex[next(i)], form->u.triangle.vertex[i], v[1]);
-    fc_wide_start(&w);
+    fc_wide_start(w);
     for (j = 0; j < 4; j++)
-      for (k = 0; k < 3; k++) fc_wide_push64(&w, (j < 2 ? v[j] : j == 2 ? fc_segment_direction(segment) : segment->light)[k]);
-    fc_wide_run(&w, program);
-    sign = fc_segment_sign(segment, &w, FC_DECIDE_PIERCE);
+      for (k = 0; k < 3; k++) fc_wide_push64(w, (j < 2 ? v[j] : j == 2 ? fc_segment_direction(segment) : segment->light)[k]);
+    fc_wide_run(w, program);
+    sign = fc_segment_sign(segment, FC_DECIDE_PIERCE);
     if (sign * seen < 0) return false;
     if (sign != 0) seen = sign;
   }
   return true;
 }
 
-static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
+static FC_COLD bool blocked(const fc_form *form, fc_segment *segment) {
   int64_t n[3], low[3], high[3];
   int8_t light;
   bounds(form, low, high);
@@ -267,7 +267,7 @@ static FC_COLD bool blocked(const fc_form *form, const fc_segment *segment) {
   return fc_side_of_point(segment, n, fc_i128_dot(n, form->u.triangle.vertex[0])) == light;
 }
 
-static FC_COLD bool facing(const fc_form *form, const fc_segment *segment) {
+static FC_COLD bool facing(const fc_form *form, fc_segment *segment) {
   return side(form, fc_eye) * side(form, segment->light) > 0;
 }
 

@@ -60,9 +60,9 @@ static FC_COLD int set_rows(fc_view *view, const fc_camera *camera) {
     uint8_t j = i == 2 ? 0 : (uint8_t)(i + 1), k = i == 0 ? 2 : (uint8_t)(i - 1);
     fc_i128 up = fc_i128_mul(r[j], f[k]), down = fc_i128_mul(r[k], f[j]);
     fc_i128_minus(&up, &down);
-    view->row[0][i] = (int32_t)fc_floor_shift64(r[i] + (1 << 29), 30);
+    view->row[0][i] = (int32_t)fc_floor_shift64(r[i] + (INT32_C(1) << 29), 30);
     view->row[1][i] = (int32_t)fc_i128_to_i64(fc_i128_round_shift(up, 90));
-    view->row[2][i] = (int32_t)fc_floor_shift64(f[i] + (1 << 29), 30);
+    view->row[2][i] = (int32_t)fc_floor_shift64(f[i] + (INT32_C(1) << 29), 30);
   }
   return FC_OK;
 }
@@ -182,11 +182,16 @@ FC_COLD void fc_view_direction(const fc_frame *frame, uint16_t x, uint16_t y, in
   direction[2] = frame->view.focal;
 }
 
-FC_COLD bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t d[3]) {
+FC_COLD bool fc_too_far_in(fc_wide *w, const fc_frame *frame, const fc_root *root, const int64_t d[3]) {
   if (frame->scene.far_limit == 0) return false;
   /* 30-bit components: below 3 * 2^60 */
-  return fc_root_compare_distance(root, fc_dot(d, d), frame->scene.far_limit,
+  return fc_root_compare_distance_in(w, root, fc_dot(d, d), frame->scene.far_limit,
                                   fc_view_far_exponent(frame)) > 0;
+}
+
+FC_COLD bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t d[3]) {
+  fc_wide w;
+  return fc_too_far_in(&w, frame, root, d);
 }
 
 FC_COLD bool fc_window_cut(const fc_frame *frame, fc_window *box) {

@@ -34,6 +34,7 @@ static inline int16_t fc_view_far_exponent(const fc_frame *frame) {
 }
 
 /* Whether a primary hit is beyond the scene's far limit. */
+bool fc_too_far_in(fc_wide *w, const fc_frame *frame, const fc_root *root, const int64_t direction[3]);
 bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t direction[3]);
 
 /* Three coordinates; whether they are within +-FC_COORDINATE_MAX. */

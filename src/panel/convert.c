@@ -1,32 +1,20 @@
 /*
  * Rows of 16-bit pixels in the formats of displays that have less, by ordered dither.
  *
- * All exact, so that it can be redone from this text. B(x, y) is the Bayer matrix of 8x8 with the values 0..63, M(8) of
- *   M(2n) = 4 M(n) + (0 2 / 3 1) spread over the quarters, M(1) = (0), (B. E. Bayer, An optimum method for two-level rendition of continuous-tone
- *   pictures, ICC 1973), at column x mod 8 and row y mod 8. A value v of 0..m becomes the level, of 0..n,
- *   floor(n v / m + (2 B + 1) / 128).
- * 0 always becomes 0, m always n, and over 64 pixels of one v the mean level is within 1/128 of n v / m.
+ * All exact, so that it can be redone from this text. A value v of 0..m becomes the level, of 0..n, that bayer.h defines from its place.
  * RGB444: red, green and blue, m = 31, 63, 31, each to n = 15 with the pixel's one B.
  * GREY4, MONO8: v = 41 red + 39 green + 16 blue of the 5, 6 and 5 bits, m = 4224, to n = 15 or 1. The weights of full red, green and blue
  * are 0.3009, 0.5817, 0.1174: ITU-R BT.601's 0.299, 0.587, 0.114 within 0.006, such that m / 128 is whole and all fits 16 bits.
  */
 #include <stdbool.h>
 
-#include "fixcast/config.h"
+#include "bayer.h"
 #include "fixcast/display.h"
 #include "fixcast/error.h"
 
 enum {
   LUMA_MAX = 41 * 31 + 39 * 63 + 16 * 31 /* 4224 = 128 * 33 */
 };
-
-static const uint8_t bayer[8][8] FC_ROM = {{0, 32, 8, 40, 2, 34, 10, 42},  {48, 16, 56, 24, 50, 18, 58, 26},
-                                           {12, 44, 4, 36, 14, 46, 6, 38}, {60, 28, 52, 20, 62, 30, 54, 22},
-                                           {3, 35, 11, 43, 1, 33, 9, 41},  {51, 19, 59, 27, 49, 17, 57, 25},
-                                           {15, 47, 7, 39, 13, 45, 5, 37}, {63, 31, 55, 23, 61, 29, 53, 21}};
-
-/* What is still missing to the next level, in 128ths: the level is raised when the remainder of n v / m, times 128 / m, is at least this. */
-static uint8_t missing(uint8_t b) { return (uint8_t)(127 - 2 * b); }
 
 static uint16_t luma(uint16_t pixel) {
   return (uint16_t)(41u * (pixel >> 11) + 39u * ((pixel >> 5) & 63u) + 16u * (pixel & 31u));
@@ -45,12 +33,12 @@ static uint8_t grey4(uint16_t pixel, uint16_t add) {
   return (uint8_t)((uint16_t)((sum >> 7) * 187u) >> 11);
 }
 
-static bool white(uint16_t pixel, uint8_t b) { return luma(pixel) >= LUMA_MAX / 128u * missing(b); }
+static bool white(uint16_t pixel, uint8_t b) { return luma(pixel) >= LUMA_MAX / 128u * fc_bayer_missing(b); }
 
 /* The level that floor(15 v / m) is, or the next; the remainder is below m, times 128 at most 7936. */
 static uint8_t raised(uint8_t level, uint8_t value, uint8_t max, uint8_t b) {
   const uint16_t rest = (uint16_t)(15u * value - (uint16_t)level * max);
-  return (uint8_t)(level + (rest * 128u >= (uint16_t)missing(b) * max));
+  return (uint8_t)(level + (rest * 128u >= (uint16_t)fc_bayer_missing(b) * max));
 }
 static uint8_t from5(uint8_t value, uint8_t b) { return raised((uint8_t)(value * 124u >> 8), value, 31, b); }
 static uint8_t from6(uint8_t value, uint8_t b) { return raised((uint8_t)(value * 61u >> 8), value, 63, b); }
@@ -126,9 +114,8 @@ int fc_display_convert(uint8_t format, uint16_t x, uint16_t y, uint16_t width, u
   if (format == FC_DISPLAY_MONO8 && rows != 1 && y % 8u != 0) return FC_ERR_AREA;
   for (row = 0; row < rows; row++) {
     const uint8_t line = (uint8_t)((y + row) & 7u);
-    uint8_t matrix_row[8], b[8], i;
-    FC_READ(matrix_row, bayer[line], sizeof matrix_row);
-    for (i = 0; i < 8; i++) b[i] = matrix_row[(x + i) & 7u];
+    uint8_t b[8];
+    fc_bayer_row(b, x, line);
     switch (format) {
       case FC_DISPLAY_RGB565: copy_row(source, target, width); break;
       case FC_DISPLAY_RGB444: rgb444_row(source, target, width, b); break;

@@ -2,7 +2,9 @@
 
 compare.py SIMULATOR
 """
+import pathlib
 import sys
+import tempfile
 
 from support import SCENES, Report, fixcast_json, scene_names
 
@@ -64,6 +66,35 @@ def check_rules(simulator, report):
                  0 < order["e4m12"]["wrong_order"] < order["inverse"]["wrong_order"] < order["e2m14"]["wrong_order"])
 
 
+def glowing(mirrors, bounces):
+    """S1 without light: things glow in colours of their own, so a pixel's colour says what is seen at the end of its path; `mirrors` by object show only others."""
+    things = {1: ("0.9 0.25 0.1", "s 0 1 -6 1"), 2: ("0.1 0.75 0.3", "s -1.75 0.75 -4.5 0.75"), 3: ("0.25 0.1 0.9", "s 1.25 0.5 -3 0.5"),
+              4: ("0.75 0.75 0.6", "#fc: plane 0 1 0 0"), 5: ("0.6 0.6 0.1", "s 0.2 0.5 -3.5 0.5")}
+    lines = ["v", "from 0 1.5 1", "at 0 1.5 0", "up 0 1 0", "angle 53.13010235", "hither 0.01", "resolution 128 128", "#fc: tan_half_fov 1/2",
+             "b 0.35 0.55 0.95", "#fc: ambient 1"]
+    for number, (colour, shape) in things.items():
+        lines += [f"#fc: object {number}", f"f {'0 0 0' if number in mirrors else colour} 1 0 0 0 1"]
+        lines += [f"#fc: mirror 1 1 1 {bounces}"] * (number in mirrors) + [shape]
+    return "\n".join(lines) + "\n"
+
+
+def check_mirrors(simulator, report):
+    """What is seen in mirrors, in one bounce by a plane and in four between balls: with glowing things a colour that is off by more than rounding is a wrong thing, and there
+    is none (the bar: 100 in a million pixels)."""
+    with tempfile.TemporaryDirectory() as directory:
+        path = pathlib.Path(directory, "mirrors.nff")
+        crcs = set()
+        for name, mirrors, bounces in (("no mirror", (), 1), ("a plane mirror", (4,), 1), ("balls", (1, 2, 5), 4), ("all but a ball", (1, 2, 4, 5), 4),
+                                       ("all but a ball, once", (1, 2, 4, 5), 1)):
+            path.write_text(glowing(mirrors, bounces))
+            for size in ("128x128", "97x61"):
+                found = fixcast_json(simulator, "compare", path, "--size", size)
+                report.equal(f"{name}, {size}: wrong ids and shadows", (0, 0), (found["wrong_id"], found["wrong_shadow"]))
+                report.at_most(f"{name}, {size}: worst colour", 0.501, found["colour_max"])
+            crcs.add(found["crc32"])
+        report.equal("different pictures by mirrors and bounces", 5, len(crcs))
+
+
 def check_profiles(simulator, report):
     """What a profile gives up is what it says, against the oracle; what it keeps is right."""
     def errors(scene, profile, size):
@@ -96,6 +127,7 @@ def main(simulator):
     check_world_scale(simulator, report)
     check_rules(simulator, report)
     check_profiles(simulator, report)
+    check_mirrors(simulator, report)
     return report.finish()
 
 

@@ -278,6 +278,34 @@ def check_display(simulator, directory, report):
         report.equal(f"rows of sky, {name}", white[:40], [min(row) == 255 for row in picture_files.png(path)[4]][:40])
 
 
+def check_dither(simulator, directory, report):
+    """--dither: each pixel is one of the two levels beside its 8 bits, blocks of 8x8 keep their mean, and it is what --rgb565 holds."""
+    shown, sent, exact = directory / "shown.png", directory / "sent.bin", directory / "exact.ppm"
+    frame = fixcast_json(simulator, "render", S1, "--display", "st7735-128", "--dither", "-o", shown, "--rgb565", sent)
+    run(simulator, "render", S1, "--size", "128x160", "-o", exact)
+    true = ppm(exact)[1]
+    got = b"".join(bytes(row) for row in picture_files.png(shown)[4])
+    report.equal("CRC of the dithered frame", frame["crc32"], f"0x{zlib.crc32(sent.read_bytes()):08x}")
+    packed = bytearray()
+    for i in range(0, len(got), 3):
+        red, green, blue = (round(got[i + c] * top / 255) for c, top in enumerate((31, 63, 31)))
+        packed += (red << 11 | green << 5 | blue).to_bytes(2, "big")
+    report.equal("what --rgb565 holds", bytes(packed), sent.read_bytes())
+    tops = (31, 63, 31)
+    worst = max(abs(round(g * tops[i % 3] / 255) - t * tops[i % 3] / 255) for i, (g, t) in enumerate(zip(got, true)))
+    report.check(0.6 < worst < 1, f"a level is {worst} from its value: less than one, but more than rounding would be")
+    means = []
+    for y in range(0, 160, 8):
+        for x in range(0, 128, 8):
+            block = [3 * (128 * (y + j) + x + i) for j in range(8) for i in range(8)]
+            if len({true[at] for at in block}) == 1:  # of one red: its mean is kept within 1/128 of a level
+                means.append(abs(sum(round(got[at] * 31 / 255) for at in block) / 64 - true[block[0]] * 31 / 255))
+    report.check(len(means) > 40 and max(means) <= 1 / 128, f"{len(means)} blocks of one colour, the worst mean off by {max(means)} levels")
+    for wrong, word in ((("--display", "ssd1306"), "ssd1306"), ((), "--display")):
+        fault = run(simulator, "render", S1, "--dither", *wrong, "-o", directory / "no.png", code=2).stderr
+        report.check(word in fault and fault.count("\n") == 1, f"--dither {wrong}: {fault}")
+
+
 def check_progress(simulator, directory, report):
     """A bar with an estimate on a terminal, nothing in a pipe."""
     command = [simulator, "render", str(FLAKE), "--size", "200x200", "--path", "orbit", "--frames", "20", "-o", str(directory / "bar.gif")]
@@ -300,7 +328,7 @@ def check_progress(simulator, directory, report):
 def main(simulator):
     report = Report()
     for check in (check_png, check_exr, check_depth, check_gif, check_paths, check_same_bytes, check_diff,
-                  check_compare_picture, check_display, check_progress):
+                  check_compare_picture, check_display, check_dither, check_progress):
         with tempfile.TemporaryDirectory() as directory:
             check(simulator, pathlib.Path(directory), report)
     return report.finish()

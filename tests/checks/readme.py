@@ -19,7 +19,7 @@ def marked(path):
 
 
 blocks = [block.strip() for block in re.findall(r"```c\n(.*?)```", readme, re.S)]
-for name, code in (("host_sim/scenes/s1.h", tables), ("tests/consumer/main.c", marked("tests/consumer/main.c")),
+for name, code in (("host_sim/scenes/s1.h", tables), ("tests/consumers/main.c", marked("tests/consumers/main.c")),
                    ("tests/twocores/example.c", marked("tests/twocores/example.c"))):
     if code not in blocks:
         problems.append(f"README.md has no C block equal to the marked part of {name}")

@@ -4,6 +4,7 @@ sampling.py SIMULATOR               checks
 sampling.py --update SIMULATOR      rewrites the file from what the simulator renders
 sampling.py --self-test SIMULATOR   proves that wrong, missing and superfluous lines are noticed
 """
+import math
 import pathlib
 import sys
 import tempfile
@@ -81,6 +82,57 @@ def check_samples_image(simulator, report):
         report.check(64 * 48 * 0.5 < greys.count(min(greys)), "samples.pgm: most pixels are not those with the fewest rays")
 
 
+def kernel_weights(kernel, n):
+    """{offset of a cell to the pixel's first: weight}, n cells a pixel, by the midpoint rule on 1000 parts of each cell."""
+    parts, weights = 1000, {}
+    for cell in range(-2 * n, 3 * n):
+        places = ((cell + (part + 0.5) / parts) / n - 0.5 for part in range(parts))
+        weights[cell] = sum(kernel(abs(x)) for x in places if abs(x) < 2)
+    total = sum(weights.values())
+    return {cell: weight / total for cell, weight in weights.items() if weight}
+
+
+def reduced(samples, weights, n, count):
+    """A row of count * n samples as count pixels."""
+    pixels = []
+    for i in range(count):
+        reached = [(w, samples[i * n + cell]) for cell, w in weights.items() if 0 <= i * n + cell < count * n]
+        pixels.append(sum(w * s for w, s in reached) / sum(w for w, _ in reached))
+    return pixels
+
+
+def check_kernels(simulator, report):
+    """--filter gaussian and mitchell are these sums of the pixels of a frame n times as large. --angle goes from centre to centre (NFF's rule): of the larger
+    frame's outer pixels those lie farther out."""
+    kernels = {"gaussian": lambda x: math.exp(-2 * x * x),
+               "mitchell": lambda x: (7 * x ** 3 - 12 * x ** 2 + 16 / 3) / 6 if x < 1 else (-7 / 3 * x ** 3 + 12 * x ** 2 - 20 * x + 32 / 3) / 6}
+    width, height = 24, 20
+    with tempfile.TemporaryDirectory() as directory:
+        path = pathlib.Path(directory, "frame.ppm")
+
+        def frame(scene, size, *options):
+            """Three planes of rows of levels."""
+            fixcast_json(simulator, "render", SCENES / f"{scene}.nff", "--size", f"{size[0]}x{size[1]}", *options, "-o", path)
+            pixels = path.read_bytes()[-3 * size[0] * size[1]:]
+            return [[list(pixels[3 * size[0] * y + c:3 * size[0] * (y + 1):3]) for y in range(size[1])] for c in range(3)]
+
+        wider = 2 * math.degrees(math.atan(math.tan(math.radians(20)) * (3 * height - 1) / (3 * (height - 1))))
+        for scene, n, view, large_view in (("s1", 4, (), ()), ("s1", 1, (), ()),
+                                           ("flake", 3, ("--angle", "40"), ("--angle", f"{wider:.12f}"))):
+            large = frame(scene, (width * n, height * n), "--samples", "one", *large_view)
+            for name, kernel in kernels.items():
+                weights, worst, moved = kernel_weights(kernel, n), 0, 0
+                got = frame(scene, (width, height), "--samples", f"regular:{n}", "--filter", name, *view)
+                for plane, shown in zip(large, got):
+                    across = [reduced(row, weights, n, width) for row in plane]
+                    for x in range(width):
+                        for y, true in enumerate(reduced([row[x] for row in across], weights, n, height)):
+                            worst = max(worst, abs(shown[y][x] - min(max(true, 0), 255)))
+                            moved = max(moved, abs(shown[y][x] - plane[y * n + n // 2][x * n + n // 2]))
+                report.check(worst <= 0.5001, f"{scene}, {n} x {n} rays, {name}: {worst} levels from the sum")
+                report.check(moved > 10, f"{scene}, {n} x {n} rays, {name}: at most {moved} levels from a sample: nothing was filtered")
+
+
 def update(simulator):
     lines = []
     for scene, size, options in FRAMES:
@@ -117,6 +169,7 @@ def main(arguments):
     check(arguments[0], read(FILE), report, FRAMES)
     check_one_ray(arguments[0], report)
     check_samples_image(arguments[0], report)
+    check_kernels(arguments[0], report)
     return report.finish()
 
 

@@ -272,4 +272,5 @@ def main():
         return 1 if Matrix(baked, work, read_golden()).table(options.cells or list(CELLS), options.jobs) else 0
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())

@@ -108,6 +108,22 @@ static int run_dither(uint8_t format) {
   put_line(name, hash);
   return error;
 }
+
+/* All values of a channel at all rows of the matrix. */
+static int run_dither565(void) {
+  static const char name[] FC_ROM = "dither565";
+  uint32_t hash = UINT32_C(2166136261);
+  uint8_t y, x;
+  int error = FC_OK;
+  for (y = 0; error == FC_OK && y < 32; y++) {
+    uint8_t to[128];
+    for (x = 0; x < 192; x++) row[x] = (uint8_t)(y * 8u + x * 67u);
+    error = fc_display_dither565(3, y, 64, 1, row, 192, to, sizeof to);
+    for (x = 0; x < sizeof to; x++) mix(&hash, to[x]);
+  }
+  put_line(name, hash);
+  return error;
+}
 #endif
 
 int main(void) {
@@ -127,6 +143,7 @@ int main(void) {
     if (error == FC_OK && record.format12 != NULL) error = run(panel, 0, 1);
   }
   for (i = FC_DISPLAY_RGB565; error == FC_OK && i <= FC_DISPLAY_MONO8; i++) error = run_dither(i);
+  if (error == FC_OK) error = run_dither565();
 #endif
 #ifdef FIXCAST_BAREMETAL
   semihost_exit(error == FC_OK ? 0 : 1);

@@ -25,7 +25,7 @@ class BadImage(Exception):
 
 
 def segments(elf):
-    """(physical address, bytes) of what an ELF file for 32-bit Arm puts into memory."""
+    """(physical address, offset in the file, bytes there) of what an ELF file for 32-bit Arm puts into memory."""
     if len(elf) < 52 or elf[:6] != b"\x7fELF\x01\x01" or struct.unpack_from("<H", elf, 18)[0] != ELF_ARM:
         raise BadImage("is no 32-bit little-endian Arm ELF file: link it with arm-none-eabi-gcc")
     offset, = struct.unpack_from("<I", elf, 28)
@@ -37,13 +37,14 @@ def segments(elf):
         if kind == ELF_LOAD and in_file > 0:
             if start + in_file > len(elf):
                 raise BadImage(f"ends within the segment for {physical:#x}: link it again")
-            yield physical, elf[start:start + in_file]
+            yield physical, start, in_file
 
 
 def flash_pages(elf):
     """{address: 256 bytes} of the flash, what is not used being ff as in an erased one."""
     pages = {}
-    for address, data in segments(elf):
+    for address, start, size in segments(elf):
+        data = elf[start:start + size]
         if not FLASH <= address <= address + len(data) <= FLASH_END:
             raise BadImage(f"puts {len(data)} bytes at {address:#x}, outside flash: the linker script has to give them "
                            "an address of flash to be loaded from")
@@ -64,10 +65,18 @@ def crc32_mpeg2(data):
     return crc
 
 
+def sealed(elf):
+    """The ELF file with that CRC in it, for programmers that take an ELF file, or a HEX file made of it."""
+    crc, file = crc32_mpeg2(flash_pages(elf)[FLASH][:BOOT2_BYTES]), bytearray(elf)
+    for address, start, size in segments(elf):
+        if address <= FLASH and FLASH + BLOCK_DATA <= address + size:
+            struct.pack_into("<I", file, start + FLASH - address + BOOT2_BYTES, crc)
+            return bytes(file)
+    raise BadImage(f"has a second boot stage of fewer than {BLOCK_DATA} bytes at {FLASH:#x}: link boot2.S with its place for a CRC")
+
+
 def uf2(elf):
-    pages = flash_pages(elf)
-    boot2 = pages[FLASH]
-    struct.pack_into("<I", boot2, BOOT2_BYTES, crc32_mpeg2(boot2[:BOOT2_BYTES]))
+    pages = flash_pages(sealed(elf))
     blocks = [struct.pack("<8I476sI", MAGIC_START, MAGIC_SECOND, FLAG_FAMILY, address, BLOCK_DATA, number, len(pages),
                           FAMILY_RP2040, bytes(pages[address]), MAGIC_END)
               for number, address in enumerate(sorted(pages))]

@@ -16,7 +16,8 @@
 /* What is measured is one field. */
 #define RENDER_ROWS(frame, y, rows, target) fc_render_profile(frame, 0, y, rows, target)
 #else
-#define RENDER_ROWS fc_render_rows
+#define RENDER_ROWS(frame, y, rows, target) fc_render_rows_in(&scratch, frame, y, rows, target)
+#define USES_SCRATCH
 #endif
 
 #ifndef MEMORY_BYTES
@@ -31,6 +32,9 @@ static uint16_t depth[STRIP_ROWS * WIDTH], primitive[STRIP_ROWS * WIDTH];
 static fc_frame frame;
 static fc_target target;
 static fc_options options;
+#ifdef USES_SCRATCH
+static fc_scratch scratch;
+#endif
 
 /* The texts of fc_error_text are not part of what draws a frame: a letter has to do, A for error 1. */
 static int checked(int error) {
@@ -63,6 +67,9 @@ size_t renderer_prepare(void) {
   target.format = PIXEL_BYTES == 2 ? FC_RGB565_BE : FC_RGB888;
   target.depth = depth;
   bytes += sizeof frame;
+#ifdef USES_SCRATCH
+  bytes += sizeof scratch;
+#endif
 #ifdef DUMP
   target.primitive = primitive;
 #else

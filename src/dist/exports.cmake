@@ -1,0 +1,36 @@
+# A shared library shows what the public headers declare and nothing else: a version script for the linker, made from the headers.
+# Linkers of ELF files only; elsewhere all names that begin with fc_ are visible.
+file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/include/fixcast/*.h)
+set(exports)
+foreach(header ${headers})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${header})
+  file(READ ${header} text)
+  # Functions: lines that begin a prototype. Constants: what follows the type.
+  string(REGEX MATCHALL "\n[a-z][a-zA-Z0-9_ *]*[ *]fc_[a-z0-9_]+\\(" functions "${text}")
+  foreach(function ${functions})
+    if(NOT function MATCHES "^\n(static|typedef) ")
+      string(REGEX REPLACE ".*[ *](fc_[a-z0-9_]+)\\($" "\\1" name "${function}")
+      list(APPEND exports ${name})
+    endif()
+  endforeach()
+  string(REGEX MATCHALL "\nextern const fc_[a-z0-9_]+[^;]*" constants "${text}")
+  foreach(constant ${constants})
+    string(REGEX REPLACE "^\nextern const fc_[a-z0-9_]+" "" names "${constant}")
+    string(REGEX MATCHALL "fc_[a-z0-9_]+" names "${names}")
+    list(APPEND exports ${names})
+  endforeach()
+endforeach()
+list(REMOVE_DUPLICATES exports)
+list(SORT exports)
+string(REPLACE ";" ";\n  " lines "${exports}")
+file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/exports.map CONTENT "{\nglobal:\n  ${lines};\nlocal:\n  *;\n};\n")
+
+foreach(library fixcast fixcast_panel)
+  # Before 1.0 a new minor version may break binaries.
+  set_target_properties(${library} PROPERTIES VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  if(CMAKE_EXECUTABLE_FORMAT STREQUAL "ELF")
+    target_link_options(${library} PRIVATE -Wl,--version-script=${PROJECT_BINARY_DIR}/exports.map)
+    set_target_properties(${library} PROPERTIES LINK_DEPENDS ${PROJECT_BINARY_DIR}/exports.map)
+  endif()
+endforeach()
