@@ -1,6 +1,6 @@
 # The front door for people. How things are built stands in CMakeLists.txt alone.
 .DEFAULT_GOAL := help
-.PHONY: help build single dist demo test matrix firmware emulate flash report gallery bench bench-update fuzz torture mutants golden-check golden-update clean
+.PHONY: help build single dist demo test matrix firmware emulate flash report gallery bench bench-update budgets budgets-update doc fuzz torture mutants golden-check golden-update clean
 BUILD := build
 FUZZ_SECONDS := 600
 MAKEFLAGS += --no-print-directory
@@ -77,6 +77,24 @@ bench-update: ## rewrite tests/bench/recorded.txt: the counts that the test benc
 	@.ci/install bench
 	@$(MAKE) build
 	@python3 tests/bench/recorded.py --simulator $(BUILD)/fixcast --work $(BUILD)/bench --update
+
+doc: ## write the API reference into build/doc/html
+	@.ci/install checks
+	@mkdir -p $(BUILD)/doc
+	@doxygen docs/Doxyfile 2>/dev/null
+	@echo "$(BUILD)/doc/html/index.html"
+
+budgets: ## flash, RAM and stack of boards and least programs, with the change since what is recorded
+	@.ci/install bench
+	@$(MAKE) build
+	@cmake --build $(BUILD) --parallel $(JOBS) --target baked_scenes >/dev/null
+	@python3 tests/bench/budgets.py --baked $(BUILD)/baked --work $(BUILD)/budgets
+
+budgets-update: ## rewrite tests/bench/budgets.txt: the figures that the test budgets lets grow by 3 % at most
+	@.ci/install bench
+	@$(MAKE) build
+	@cmake --build $(BUILD) --parallel $(JOBS) --target baked_scenes >/dev/null
+	@python3 tests/bench/budgets.py --baked $(BUILD)/baked --work $(BUILD)/budgets --update
 
 fuzz: ## search for inputs that break the core or the scene reader, FUZZ_SECONDS (600) each
 	@.ci/install fuzz

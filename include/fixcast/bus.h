@@ -20,6 +20,7 @@ extern "C" {
  * or on another thread; the bytes are the caller's again once it has been called. */
 typedef void fc_ready(void *context, int error);
 
+/* The functions of a bus. Each returns FC_OK or a negative error of the port's, which is passed on unchanged. */
 typedef struct fc_bus_ops {
   /* The fastest clock of at most `hz` (never above it), SPI mode 0 or 3 (CPOL = CPHA), eight bits, most significant first. Called
    * before the first byte and whenever either changes. Errors: FC_ERR_UNSUPPORTED when there is no such clock or mode. */

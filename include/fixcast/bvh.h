@@ -26,6 +26,7 @@ typedef struct fc_bvh_node {
 
 /* How it is searched. Opaque; the one below is all there is. */
 typedef struct fc_bvh_kind fc_bvh_kind;
+/* A balanced tree without links; the only kind there is. */
 extern const fc_bvh_kind fc_bvh_balanced;
 
 /*

@@ -6,6 +6,7 @@
 
 #include "fixcast/vec3.h"
 
+/* Which edges of the picture the field of view goes to. */
 typedef enum fc_fov_rule {
   FC_FOV_EDGES = 0,  /* the angle runs between the outer edges of the outer pixels (default) */
   FC_FOV_CENTRES = 1 /* ... between the centres of the outer pixels (NFF) */

@@ -29,7 +29,7 @@
 #define FC_READ(to, from, bytes) ((void)memcpy((to), (from), (bytes)))
 #endif
 
-/* A pointer that is known to be a multiple of 4, or of 2. */
+/* A pointer that is known to be a multiple of 4 (FC_ALIGNED4) or of 2 (FC_ALIGNED2). */
 #if defined(__GNUC__) && !defined(FC_ALIGNED4)
 #define FC_ALIGNED4(pointer) __builtin_assume_aligned((pointer), 4)
 #define FC_ALIGNED2(pointer) __builtin_assume_aligned((pointer), 2)

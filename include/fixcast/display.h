@@ -26,10 +26,12 @@ typedef enum fc_display_format {
   FC_DISPLAY_MONO8 = 3   /* eight pixels a byte, one below the other, the uppermost in bit 0: a row of bytes is a page of 8 rows */
 } fc_display_format;
 
+/* A rectangle of the display, in pixels from its top left corner. */
 typedef struct fc_area {
   uint16_t x, y, width, height; /* pixels; width and height at least 1 */
 } fc_area;
 
+/* What a display can show and how it wants areas. */
 typedef struct fc_display_capabilities {
   uint16_t width, height;    /* pixels */
   uint8_t format;            /* fc_display_format */
@@ -50,11 +52,13 @@ typedef struct fc_display_ops {
   int (*wait_vsync)(void *context);
 } fc_display_ops;
 
+/* A display: its functions and what they work on, both the caller's. */
 typedef struct fc_display {
   const fc_display_ops *ops;
   void *context;
 } fc_display;
 
+/* What the display can show; `display` and `to` must not be NULL. */
 void fc_display_capabilities_get(const fc_display *display, fc_display_capabilities *to);
 
 /* Draws an area; returns when the pixels are the caller's again. Areas that follow one another downwards over the whole width are
@@ -73,7 +77,9 @@ int fc_display_wait(const fc_display *display);
 
 /* What was written becomes visible (a window), the light's level 0..255, the start of a refresh: or FC_ERR_UNSUPPORTED. */
 int fc_display_flush(const fc_display *display);
+/* The backlight, 0 off to 255 full. FC_ERR_UNSUPPORTED without one. */
 int fc_display_backlight(const fc_display *display, uint8_t level);
+/* Returns when the panel is between two frames. FC_ERR_UNSUPPORTED without such a signal. */
 int fc_display_wait_vsync(const fc_display *display);
 
 /* Bytes of one row of `width` pixels in a format (FC_DISPLAY_MONO8: of one page of 8 rows), or 0 for an unknown format. */

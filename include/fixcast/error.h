@@ -6,6 +6,7 @@
 extern "C" {
 #endif
 
+/* What functions return: FC_OK, or a negative error; fc_error_text says each in words. */
 typedef enum fc_error {
   FC_OK = 0,
   FC_ERR_NULL = -1,          /* a required pointer is NULL */

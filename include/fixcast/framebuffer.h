@@ -9,6 +9,7 @@
 extern "C" {
 #endif
 
+/* How a pixel is stored. */
 typedef enum fc_format {
   FC_RGB888 = 0,    /* three bytes, red first */
   FC_RGB565_BE = 1, /* two bytes, high byte first: what SPI panels take */

@@ -31,6 +31,7 @@ typedef enum fc_panel_window {
  * unknown to, all controllers here.
  */
 #define FC_PANEL_DELAY 0x80
+/* Ends a record of commands. */
 #define FC_PANEL_END 0x00
 
 /* One way up: where the glass begins in the controller's memory, in pixels as the controller counts them after `direction`, a table of the
@@ -72,6 +73,7 @@ extern const fc_panel fc_panel_ssd1306 FC_ROM;      /* 128x64 monochrome OLED */
 /* All of the above, in the order of `fixcast panels`; ends with NULL. Programs that name one panel do not link the others. */
 extern const fc_panel *const fc_panels[] FC_ROM;
 
+/* What a panel's user chooses. */
 typedef struct fc_panel_options {
   uint32_t pixel_hz;  /* 0: the record's; else a slower or (at one's own risk) faster clock */
   uint8_t half_turn;  /* 1: upside down */

@@ -26,6 +26,7 @@ typedef struct fc_ray {
   uint64_t t_max_q32;  /* UINT64_MAX: no limit; hits beyond t = 2^32 are not reported */
 } fc_ray;
 
+/* Where a ray meets the scene first. */
 typedef struct fc_hit {
   uint64_t t_q32;        /* rounded from a value with relative error below 2^-57, saturated at UINT64_MAX */
   fc_vec3 position;      /* world coordinates; within 1 unit an axis of the exact point; clamped to +-FC_COORDINATE_MAX */

@@ -88,6 +88,7 @@ int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_ta
 
 /* What a strip is drawn in, one a core that draws at the same time; nothing has to be kept there between calls. */
 #define FC_SCRATCH_WORDS (sizeof(void *) > 4 ? 352 : 316)
+/* What rendering works in: opaque. */
 typedef struct fc_scratch {
   int64_t words[FC_SCRATCH_WORDS];
 } fc_scratch;

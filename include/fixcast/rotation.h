@@ -23,6 +23,7 @@
 extern "C" {
 #endif
 
+/* 1.0 of a rotation's or matrix's component. */
 #define FC_ONE_Q30 (INT32_C(1) << 30)
 
 /* Each component within +-2^30; functions refuse what is not of unit length within 2^-28 (FC_ERR_ROTATION). */
@@ -57,6 +58,7 @@ int fc_rotation_compose(fc_rotation *result, const fc_rotation *second, const fc
 /* The way back, exact to the bit. */
 int fc_rotation_invert(fc_rotation *result, const fc_rotation *rotation);
 
+/* The matrix that turns column vectors as the rotation does. FC_ERR_ROTATION, FC_ERR_NULL. */
 int fc_rotation_matrix(fc_matrix *matrix, const fc_rotation *rotation);
 
 /*
@@ -78,6 +80,7 @@ int fc_rotate_points(fc_vec3 *to, const fc_vec3 *from, uint16_t count, const fc_
  * radii counts as FC_TRACKBALL_REACH radii: the ball then turns about the line of sight alone.
  */
 #define FC_TRACKBALL_MAX INT32_C(65535) /* of |x|, |y| and the radius */
+/* In radii, how far out the trackball still tilts. */
 #define FC_TRACKBALL_REACH 16
 
 /* The point of the ball under the mouse, unit length in Q30, each component within 2^-30. FC_ERR_SIZE: x or y beyond

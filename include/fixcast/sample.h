@@ -22,6 +22,7 @@ extern "C" {
 /* One kind of lens: code. Opaque; those below are all there are. */
 typedef struct fc_lens_kind fc_lens_kind;
 
+/* A lens: its kind and what that needs. */
 typedef struct fc_lens {
   const fc_lens_kind *kind;
   const void *data; /* of the type that the kind says, or NULL where it says none; may live in flash */
@@ -37,6 +38,7 @@ extern const fc_lens_kind fc_lens_pinhole;
  * FC_ERR_LENS: the span is not positive, or the frame then reaches beyond 2^30 camera grid units, the largest extent of the scene.
  */
 extern const fc_lens_kind fc_lens_orthographic;
+/* Data of fc_lens_orthographic. */
 typedef struct fc_orthographic {
   int32_t span;         /* 1..FC_COORDINATE_MAX */
   int8_t span_exponent; /* -31..32 */
@@ -52,6 +54,7 @@ int fc_orthographic_of_camera(fc_orthographic *lens, const fc_camera *camera);
  * nothing. Directions are within 2^-28 radians of what the place says. FC_ERR_LENS: the angle is 0 or more than a whole turn.
  */
 extern const fc_lens_kind fc_lens_fisheye;
+/* Data of fc_lens_fisheye. */
 typedef struct fc_fisheye {
   uint32_t angle_q16; /* the full angle, in whole turns Q16: 32768 is 180 degrees; 1..65536 */
 } fc_fisheye;
@@ -81,10 +84,14 @@ extern const fc_pattern fc_pattern_jittered; /* one place anywhere in each of co
  */
 extern const fc_pattern fc_pattern_quincunx;
 
+/* Most cells along a side of a regular or jittered pattern. */
 #define FC_SAMPLE_SIDE_MAX 64
+/* Most rays a pixel of a random pattern. */
 #define FC_SAMPLE_COUNT_MAX 4096
+/* Most halvings of a pixel by the quincunx pattern. */
 #define FC_QUINCUNX_DEPTH_MAX 5
 
+/* How rays are spread over a pixel's surroundings. */
 typedef enum fc_filter {
   FC_FILTER_BOX = 0, /* the mean over the pixel */
   FC_FILTER_TENT = 1 /* weights that fall linearly to 0 at the neighbours' centres; samples are placed by that density and weigh alike, so

@@ -44,17 +44,24 @@ typedef struct fc_triangle {
 
 /* One kind of shape: code that only scenes naming it link. Opaque; the five below are all there are. */
 typedef struct fc_kind fc_kind;
-extern const fc_kind fc_kind_sphere, fc_kind_plane, fc_kind_triangle, fc_kind_triangle_short, fc_kind_convex;
+extern const fc_kind fc_kind_sphere;   /* items: fc_sphere */
+extern const fc_kind fc_kind_plane;    /* items: fc_plane */
+extern const fc_kind fc_kind_triangle; /* items: fc_triangle, with vertices */
+/* The same with vertices of 16 bits (fc_short_vec3). */
+extern const fc_kind fc_kind_triangle_short;
+/* The same as fc_kind_triangle, for a mesh that is convex. */
+extern const fc_kind fc_kind_convex;
 
 /* A vertex of fc_kind_triangle_short: world coordinates / 2^vertex_shift. */
 typedef struct fc_short_vec3 {
   int16_t x, y, z;
 } fc_short_vec3;
 
-/* A vertex normal, unit length, Q14; and texture coordinates in tiles, Q16. */
+/* A vertex normal, unit length, Q14. */
 typedef struct fc_normal {
   int16_t x, y, z;
 } fc_normal;
+/* Texture coordinates of a vertex in tiles, Q16. */
 typedef struct fc_uv {
   int32_t u, v; /* -2^30 .. 2^30 */
 } fc_uv;
@@ -72,11 +79,15 @@ typedef struct fc_shapes {
   uint8_t vertex_shift; /* fc_kind_triangle_short: a vertex is a whole number times 2^vertex_shift, 0..15; otherwise 0 */
 } fc_shapes;
 
+/* Number of a table's items, as uint16_t. */
 #define FC_COUNT_OF(table) ((uint16_t)(sizeof(table) / sizeof((table)[0])))
+/* For initialisers: the fc_shapes of a table of fc_sphere. */
 #define FC_SPHERES(table) \
   { &fc_kind_sphere, (table), NULL, FC_COUNT_OF(table), 0, NULL, NULL, 0, 0 }
+/* For initialisers: the fc_shapes of a table of fc_plane. */
 #define FC_PLANES(table) \
   { &fc_kind_plane, (table), NULL, FC_COUNT_OF(table), 0, NULL, NULL, 0, 0 }
+/* For initialisers: the fc_shapes of a table of fc_triangle and its vertices. */
 #define FC_TRIANGLES(vertices, table) \
   { &fc_kind_triangle, (table), (vertices), FC_COUNT_OF(table), FC_COUNT_OF(vertices), NULL, NULL, 0, 0 }
 /* Triangles with attributes a vertex (either may be NULL); `closed` 1 for a closed mesh. */
@@ -116,6 +127,7 @@ typedef struct fc_light {
 /* Largest number of primitives in a scene: a pixel's primitive is kept in 16 bits, 0xffff meaning none. */
 #define FC_PRIMITIVES_MAX UINT16_C(0xffff)
 
+/* A scene: tables that the caller owns, constant, perhaps in flash, and what holds for all of it. */
 typedef struct fc_scene {
   const fc_shapes *shapes;
   const fc_material *materials;

@@ -51,6 +51,7 @@ typedef struct fc_slab {
  * volume that is open along the ray has leave_of = 0. FC_ERR_COUNT: no slab. */
 int fc_ray_slabs(const fc_vec3 *origin, const fc_vec3 *direction, const fc_slab *slabs, uint8_t count, fc_span *span);
 
+/* Whether a point lies within all of the slabs, borders included: 1 or 0. FC_ERR_COUNT: no slab. */
 int fc_point_slabs(const fc_vec3 *point, const fc_slab *slabs, uint8_t count);
 
 /* Whether two volumes' slabs of the same normals, in the same order, all overlap. 0 says for certain that the volumes do not meet; 1 is

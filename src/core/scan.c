@@ -62,14 +62,6 @@ static FC_COLD void surface_at(const fc_scan *scan, uint16_t row, uint16_t colum
   fc_surface_complete(surface);
 }
 
-FC_COLD bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column) {
-  fc_surface *surface = &scan->asked->surface;
-  int64_t d[3];
-  FC_TALLY(FC_DECIDE_LIT, true);
-  surface_at(scan, row, column, d, surface);
-  return fc_light_reaches(scan->frame, &scan->space, surface, scan->frame->lights);
-}
-
 FC_COLD bool fc_scan_blocked(const fc_scan *scan, uint16_t row, uint16_t column, const fc_kind *kind, const fc_form *occluder) {
   fc_segment *segment = &scan->asked->room.segment;
   fc_root *root = &scan->asked->surface.root;

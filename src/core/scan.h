@@ -1,7 +1,7 @@
 /*
  * The scan engine: strips drawn a primitive at a time, by spans and forward differences.
  *
- * Fast forms decide what they can prove; a pixel that they leave open goes to fc_scan_exact or fc_scan_reached, which
+ * Fast forms decide what they can prove; a pixel that they leave open goes to fc_scan_exact or fc_scan_blocked, which
  * ask the ray engine's predicates. So the picture is the ray engine's by construction, wherever a form's
  * error bound is right; tests hold the two equal.
  */
@@ -155,9 +155,6 @@ bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column);
 
 /* Whether the sign of a shadow's form is good enough within its error bound too. */
 static inline bool fc_scan_guesses(const fc_scan *scan) { return scan->frame->options.profile == FC_PROFILE_FAST; }
-
-/* Whether the light reaches the primitive there, by the ray engine. */
-bool fc_scan_reached(const fc_scan *scan, uint16_t row, uint16_t column);
 
 /* far_shift of a frame whose far limit only the ray engine can tell. */
 #define FC_FAR_EXACT 255

@@ -1,4 +1,4 @@
-"""Who may include whom: design by layers, enforced on the text of the sources.
+"""Who may include whom: design by layers, without cycles, enforced on the text of the sources.
 
 includes.py ROOT          checks a tree
 includes.py --self-test   proves on made-up trees that each rule is noticed when broken
@@ -106,11 +106,34 @@ def check(root, report):
                 report.check(False, f"{path.relative_to(root)}:{line}: includes {name}: {why}")
 
 
+def check_cycles(root, report):
+    """Headers of the core and public ones include each other in one order: none reaches itself."""
+    graph = {}
+    for path in [*(root / "include").rglob("*.h"), *(root / "src" / "core").glob("*.h"), *(root / "src" / "extra").glob("*.h")]:
+        name = f"fixcast/{path.name}" if path.parent.name == "fixcast" else path.name
+        graph[name] = sorted(included for _, included, system in includes_of(path) if system is False)
+    done, trail = set(), []
+
+    def visit(name):
+        if name in trail:
+            report.check(False, f"headers include each other: {' > '.join(trail[trail.index(name):] + [name])}")
+        elif name not in done:
+            trail.append(name)
+            for other in graph.get(name, ()):
+                visit(other)
+            done.add(trail.pop())
+
+    for name in sorted(graph):
+        visit(name)
+    report.checked += len(graph)
+
+
 def self_test():
     base = {
         "include/fixcast/a.h": "#include <stdint.h>\n",
         "include/fixcast/config.h": "#include <avr/pgmspace.h>\n",
         "src/core/inner.h": "",
+        "src/core/outer.h": '#include "inner.h"\n',
         "src/core/core.c": '#include "inner.h"\n#include <string.h>\n#include "fixcast/a.h"\n',
         "src/extra/more.h": "",
         "src/extra/more.c": '#include "more.h"\n#include "inner.h"\n#include <stdint.h>\n#include "fixcast/a.h"\n',
@@ -132,6 +155,8 @@ def self_test():
         "host_sim/oracle.h": "// #include \"fixcast/a.h\"\n",
     }
     broken = [
+        ("src/core/inner.h", '#include "inner.h"\n'),
+        ("src/core/inner.h", '#include "outer.h"\n'),
         ("src/core/core.c", "#include <stdio.h>\n"),
         ("src/core/core.c", "#include <math.h>\n"),
         ("src/core/core.c", "#include <avr/pgmspace.h>\n"),
@@ -181,6 +206,7 @@ def self_test():
                 (root / name).write_text(content + (text if name == path else ""))
             report = Report()
             check(root, report)
+            check_cycles(root, report)
             expected = 0 if path is None else 1
             if len(report.wrong) != expected:
                 sys.exit(f"{path} with {text!r}: {len(report.wrong)} complaints, expected {expected}")
@@ -193,6 +219,7 @@ def main(arguments):
         return self_test()
     report = Report()
     check(pathlib.Path(arguments[0]), report)
+    check_cycles(pathlib.Path(arguments[0]), report)
     return report.finish()
 
 

@@ -169,6 +169,38 @@ static void test_transfer_functions(void) {
     }
 }
 
+/* A lit wall, ambient light a quarter: the scan engine's cosine is approximate, so its levels are within one of the ray engine's. */
+static void test_transfer_of_lit_surfaces(void) {
+  static const uint8_t white[TEXELS * TEXELS];
+  static const fc_light light FC_ROM = {.position = FC_VEC3(1, 1, 3), .intensity = FC_GREY(0.5)};
+  static uint8_t by_rays[sizeof pixels];
+  fc_frame frame;
+  fc_target target;
+  unsigned i;
+  hang_up(white, FC_TEXEL_GREY8);
+  material.layer_count = 0;
+  material.diffuse.r = FC_ONE_Q15;
+  material.diffuse.g = FC_ONE_Q15 / 2;
+  scene.ambient.r = scene.ambient.g = scene.ambient.b = FC_ONE_Q15 / 4;
+  scene.lights = &light;
+  scene.light_count = 1;
+  options.transfer = &fc_transfer_srgb;
+  TEST_ASSERT_EQUAL_INT(FC_OK, fc_frame_setup(&frame, &scene, &camera, &options, SIZE, SIZE, memory, sizeof memory));
+  memset(&target, 0, sizeof target);
+  target.format = FC_RGB888;
+  target.pitch_bytes = SIZE * 3;
+  target.depth = depth;
+  target.pixels = by_rays;
+  TEST_ASSERT_EQUAL_INT(FC_OK, fc_render_rows_by_rays(&frame, 0, SIZE, &target));
+  target.pixels = pixels;
+  TEST_ASSERT_EQUAL_INT(FC_OK, fc_render_rows(&frame, 0, SIZE, &target));
+  for (i = 0; i < sizeof pixels; i++) TEST_ASSERT_INT_WITHIN(1, by_rays[i], pixels[i]);
+  /* at the foot of the light the cosine is nearly 1: 0.75 as IEC 61966-2-1 has it is 224.6 of 255, 0.375 is 164.9 */
+  TEST_ASSERT_INT_WITHIN(2, 224, pixel(5, 2)[0]);
+  TEST_ASSERT_INT_WITHIN(2, 164, pixel(5, 2)[1]);
+  TEST_ASSERT_EQUAL_INT(0, pixel(5, 2)[2]);
+}
+
 static int refused(void) { return draw(FC_RGB888); }
 
 static void test_g6_bad_materials_are_refused(void) {
@@ -253,6 +285,7 @@ int main(void) {
   RUN_TEST(test_tiles_repeat_or_the_border_goes_on);
   RUN_TEST(test_between_texels);
   RUN_TEST(test_transfer_functions);
+  RUN_TEST(test_transfer_of_lit_surfaces);
   RUN_TEST(test_g6_bad_materials_are_refused);
   RUN_TEST(test_g6_bad_lights_and_skies_are_refused);
   return UNITY_END();

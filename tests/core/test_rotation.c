@@ -68,6 +68,7 @@ static void test_g15_half_turns_and_ways_back(void) {
   static const fc_vec3 ways[] = {{0, 0, 5}, {0, 0, -7}, {3, 0, 0}, {0, -2, 0}, {1, 2, 3}};
   static const fc_vec3 nowhere = {0, 0, 0};
   fc_rotation turn, back, both, stretched = FC_ROTATION_NONE;
+  fc_vec3 p;
   fc_matrix m;
   unsigned i;
   for (i = 0; i < sizeof ways / sizeof ways[0]; i++) {
@@ -94,6 +95,10 @@ static void test_g15_half_turns_and_ways_back(void) {
   TEST_ASSERT_EQUAL_INT(FC_ERR_ROTATION, fc_rotation_invert(&back, &stretched));
   TEST_ASSERT_EQUAL_INT(FC_ERR_ROTATION, fc_rotation_matrix(&m, &stretched));
   TEST_ASSERT_EQUAL_INT(FC_ERR_NULL, fc_rotation_invert(&back, NULL));
+  TEST_ASSERT_EQUAL_INT(FC_ERR_NULL, fc_trackball_point(NULL, 0, 0, 1));
+  TEST_ASSERT_EQUAL_INT(FC_ERR_SIZE, fc_trackball_point(&p, FC_TRACKBALL_MAX + 1, 0, 1));
+  TEST_ASSERT_EQUAL_INT(FC_ERR_SIZE, fc_trackball_point(&p, 0, -FC_TRACKBALL_MAX - 1, 1));
+  TEST_ASSERT_EQUAL_INT(FC_ERR_SIZE, fc_trackball_point(&p, 0, 0, 0));
   TEST_ASSERT_EQUAL_INT(FC_ERR_DIRECTION, fc_rotation_about(&turn, &nowhere, 1));
   TEST_ASSERT_EQUAL_INT(FC_ERR_DIRECTION, fc_rotation_between(&turn, &ways[0], &nowhere));
 }
