@@ -1,5 +1,6 @@
 /*
- * Perfect mirrors on spheres by fast forms: one ray from a point of the ball, in short numbers with error bounds. What they leave open is traced by the layer.
+ * Perfect mirrors on spheres by fast forms: one ray from a point of the ball, in short numbers with error bounds. What they leave open is
+ * traced by the layer.
  */
 #include "coat.h"
 
@@ -73,7 +74,8 @@ static FC_COLD void start(fc_coat *coat, const void *data) {
   }
   /* rays go up to 2^52 */
   mirror->limit = frame->scene.far_limit == 0 || limit.e > 20 ? INT64_MAX : (int64_t)fc_quick_to_u64(limit);
-  mirror->depth = fc_quick_mul(fc_quick_from(frame->depth_near, (int32_t)(30 + coat->drop)), fc_quick_recip(fc_quick_from((uint64_t)frame->view.focal, 0)));
+  mirror->depth = fc_quick_mul(fc_quick_from(frame->depth_near, (int32_t)(30 + coat->drop)),
+                               fc_quick_recip(fc_quick_from((uint64_t)frame->view.focal, 0)));
   mirror->inverse = fc_quick_recip(fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0));
 }
 
@@ -87,8 +89,8 @@ FC_INLINE int32_t unit_of(int32_t v, fc_quick scale) {
 static int64_t dot30(const int32_t a[3], const int32_t b[3]) { return fc_to_i64(fc_dot32(a, b)); }
 
 /*
- * The mirrored ray of a pixel; false when it is not good enough. Each coordinate of the point is as far off as p, of itself, and 2^-25, and floors; the
- * normal within that over r, e; and the way, D + 2 (n.v) n, within 4 e and 2^-23.
+ * The mirrored ray of a pixel; false when it is not good enough. Each coordinate of the point is as far off as p, of itself, and 2^-25, and
+ * floors; the normal within that over r, e; and the way, D + 2 (n.v) n, within 4 e and 2^-23.
  */
 static FC_NOINLINE bool reflect(const fc_coat *coat, uint16_t row, uint16_t column, uint32_t p, path *to) {
   const fc_scan *scan = coat->scan;
@@ -115,7 +117,8 @@ static FC_NOINLINE bool reflect(const fc_coat *coat, uint16_t row, uint16_t colu
   }
   to->error = (uint32_t)(fc_mul32(most, coat->error + 1) >> octave) + (most >> 25) + 6; /* below 2^31 2^-20 */
   /* e in Q30 */
-  bend = (uint32_t)unit_of((int32_t)to->error, coat->mirror.inverse) + (coat->mirror.inverse.e + 62 > 0 ? UINT32_C(1) << (coat->mirror.inverse.e + 62) : 1);
+  bend = (uint32_t)unit_of((int32_t)to->error, coat->mirror.inverse);
+  bend += coat->mirror.inverse.e + 62 > 0 ? UINT32_C(1) << (coat->mirror.inverse.e + 62) : 1;
   if (bend >> 17 != 0) return false;
   to->way_error = 4 * bend + 128;
   dn = (int32_t)fc_floor_shift64(dot30(n, view), 30);

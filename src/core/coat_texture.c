@@ -63,8 +63,8 @@ static FC_COLD void set_wide(wide_form *form, const int64_t m[3], const int64_t 
 static FC_COLD int64_t scaled(int64_t v, uint32_t m, uint8_t down) { return fc_floor_shift64(fc_smul64hi(v, (int32_t)(m >> 1)), down); }
 
 /*
- * A coordinate is u = scale (m.D) / (n.D) for vectors of the tile (fc_mapping_kind.forms). In texels from the centre of texel 0 that is X = A / Q, both
- * affine in the pixel. A is short of the truth by 2^-26 of what it is from the mapping's origin.
+ * A coordinate is u = scale (m.D) / (n.D) for vectors of the tile (fc_mapping_kind.forms). In texels from the centre of texel 0 that is
+ * X = A / Q, both affine in the pixel. A is short of the truth by 2^-26 of what it is from the mapping's origin.
  */
 static FC_COLD bool set_axis(const wide_form *q, const wide_form *u, fc_quick scale, uint16_t size, fc_coat_axis *axis) {
   const int32_t down = 24 - 33 - scale.e;
@@ -120,9 +120,9 @@ typedef struct texel_run {
 } texel_run;
 
 /*
- * X in Q16 of a run's pixels, less base. q and a are rounded once and at each step: within 17 after 32 pixels. With m = q 2^up normalised, up at most 4,
- * q is within 2^-22.9 of itself: times X, below 2^11 where it is not near, 2^-11.9 of a texel. Near ones have a reciprocal within 2^-15 and X in 2^-11;
- * others within 2^-26. Returns those that are too rough.
+ * X in Q16 of a run's pixels, less base. q and a are rounded once and at each step: within 17 after 32 pixels. With m = q 2^up normalised,
+ * up at most 4, q is within 2^-22.9 of itself: times X, below 2^12 where it is not near, 2^-10.9 of a texel. Near ones have a reciprocal
+ * within 2^-15 and X in 2^-11; others within 2^-26. Returns those that are too rough.
  */
 static FC_HOT uint32_t find_near(const texel_run *of, uint8_t count, int32_t *x, int32_t *y) {
   uint32_t q = of->q, rough = 0, bit = 1;

@@ -147,12 +147,11 @@ static FC_COLD void set_light(fc_frame *frame) {
   frame->light = FC_LIGHT_MANY;
   frame->layered = false;
   if (frame->scene.light_count == 0) {
-    uint16_t i, layers;
+    const fc_material *material = frame->scene.materials, *end = material + frame->scene.material_count;
+    uint16_t layers = 0;
     frame->light = FC_LIGHT_NONE;
-    for (i = 0; i < frame->scene.material_count && !frame->layered; i++) {
-      FC_READ_ONE(&layers, &frame->scene.materials[i].layer_count);
-      frame->layered = layers != 0;
-    }
+    for (; material != end && layers == 0; material++) FC_READ_ONE(&layers, &material->layer_count);
+    frame->layered = layers != 0;
   }
   if (frame->scene.light_count != 1 || frame->options.offset_rule != FC_OFFSET_EXACT) return;
   FC_READ_ONE(&light, frame->scene.lights);

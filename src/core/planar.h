@@ -93,8 +93,8 @@ FC_INLINE uint32_t fc_cosine_of(uint32_t q, int32_t g) {
 /* What fc_planar_shade left to do. */
 enum { FC_PLANAR_DARK, FC_PLANAR_SLOW, FC_PLANAR_LIT };
 
-/* The light's part of fc_planar_light up to colours: FC_PLANAR_LIT: the mask holds what it reaches, and planar and g are set; all else is coloured. DARK:
- * nothing is lit, SLOW: the ray engine has coloured everything. */
+/* The light's part of fc_planar_light up to colours: FC_PLANAR_LIT: the mask holds what it reaches, and planar and g are set; all else is
+ * coloured. DARK: nothing is lit, SLOW: the ray engine has coloured everything. */
 uint8_t fc_planar_reach(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners, fc_planar *planar,
                         fc_cosine *g);
 

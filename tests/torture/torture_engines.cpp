@@ -446,7 +446,8 @@ double tolerance(const fc_frame &frame, uint16_t primitive, size_t i) {
   if (fc_kind_of(&surface.at) == &fc_kind_sphere) turn += 1 / static_cast<double>(surface.form.u.sphere.radius);
   const fc_material &material = frame.scene.materials[surface.form.material];
   double steep = 1;
-  if (material.layer_count != 0 && material.layers[0].kind == &fc_layer_phong) steep += 2 * 0.61 * std::sqrt(static_cast<const fc_phong *>(material.layers[0].data)->shininess_q8 / 256.0);
+  if (material.layer_count != 0 && material.layers[0].kind == &fc_layer_phong)
+    steep += 2 * 0.61 * std::sqrt(static_cast<const fc_phong *>(material.layers[0].data)->shininess_q8 / 256.0);
   return 1 + 256 * 0.87 * turn * steep;
 }
 
