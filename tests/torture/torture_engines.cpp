@@ -349,8 +349,11 @@ private:
     mapping_.u.x |= 1;
     mapping_.v.y |= 1;
     texture_ = {&mapping_, &fc_texture_image, &image_, static_cast<uint8_t>(random_.flip())};
+    const bool wild = random_.within(0, 3) == 0; /* or those of a triangle lie close together */
+    Vec about = random_.direction(13);
     for (size_t i = 0; i < vertices_.size(); i++) {
-      const Vec n = random_.direction(13);
+      if (wild || i % 3 == 0) about = random_.direction(13);
+      const Vec n = wild ? about : about + random_.vec(11);
       normals_.push_back({static_cast<int16_t>(n.x), static_cast<int16_t>(n.y), static_cast<int16_t>(n.z)});
       uvs_.push_back({static_cast<int32_t>(random_.within(-200000, 200000)), static_cast<int32_t>(random_.within(-200000, 200000))});
     }
