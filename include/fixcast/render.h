@@ -66,6 +66,7 @@ typedef struct fc_frame {
   uint32_t depth_near; /* camera z, in grid units, of depth value 1 */
   uint8_t depth_exponent_bits;
   uint8_t light;       /* how the scan engine lights it */
+  bool layered;        /* without lights: some material has layers */
   uint8_t far_shift;
   uint32_t far_low, far_high; /* near / z, Q30: beyond the far limit everywhere below, within it above */
   uint32_t far_scale;

@@ -224,10 +224,14 @@ static FC_COLD void planar(fc_scan *scan, const int64_t normal[3], fc_i128 k, co
   const fc_cosine *g;
   fc_square square;
   fc_coat coat;
-  uint32_t cosine[32], seen[FC_SCAN_WORDS];
+  uint32_t cosine[32], seen[FC_SCAN_WORDS], any = 0;
   uint16_t row, i;
   uint8_t word, reached;
-  for (i = 0; i < scan->rows * scan->words; i++) seen[i] = scan->mask[i];
+  for (i = 0; i < scan->rows * scan->words; i++) {
+    seen[i] = scan->mask[i];
+    any |= seen[i];
+  }
+  if (any == 0) return; /* nothing would be set */
   reached = fc_planar_reach(scan, normal, k, hull, corners, &on, &g);
   if (reached == FC_PLANAR_SLOW) return;
   open_coat(&coat, scan);

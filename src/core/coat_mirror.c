@@ -1,5 +1,6 @@
 /*
- * Perfect mirrors on spheres by fast forms: one ray from a point of the ball, in short numbers with error bounds. What they leave open is traced by the layer.
+ * Perfect mirrors on spheres by fast forms: one ray from a point of the ball, in short numbers with error bounds. What they leave open is
+ * traced by the layer.
  */
 #include "coat.h"
 
@@ -73,12 +74,13 @@ static FC_COLD void start(fc_coat *coat, const void *data) {
   }
   /* rays go up to 2^52 */
   mirror->limit = frame->scene.far_limit == 0 || limit.e > 20 ? INT64_MAX : (int64_t)fc_quick_to_u64(limit);
-  mirror->depth = fc_quick_mul(fc_quick_from(frame->depth_near, (int32_t)(30 + coat->drop)), fc_quick_recip(fc_quick_from((uint64_t)frame->view.focal, 0)));
+  mirror->depth = fc_quick_mul(fc_quick_from(frame->depth_near, (int32_t)(30 + coat->drop)),
+                               fc_quick_recip(fc_quick_from((uint64_t)frame->view.focal, 0)));
   mirror->inverse = fc_quick_recip(fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0));
 }
 
 /* v m 2^e in Q30, for |v m 2^e| <= 1: within 2^-25 where v has 26 bits, and 2^-30 of 1 in the other direction. */
-static int32_t unit_of(int32_t v, fc_quick scale) {
+FC_INLINE int32_t unit_of(int32_t v, fc_quick scale) {
   const int32_t up = scale.e + 62;
   const int32_t product = fc_smulhi32(v, scale.m);
   return up >= 0 ? product * (INT32_C(1) << up) : fc_floor_shift32(product, (uint8_t)(up < -31 ? 31 : -up));
@@ -87,8 +89,8 @@ static int32_t unit_of(int32_t v, fc_quick scale) {
 static int64_t dot30(const int32_t a[3], const int32_t b[3]) { return fc_to_i64(fc_dot32(a, b)); }
 
 /*
- * The mirrored ray of a pixel; false when it is not good enough. Each coordinate of the point is as far off as p, of itself, and 2^-25, and floors; the
- * normal within that over r, e; and the way, D + 2 (n.v) n, within 4 e and 2^-23.
+ * The mirrored ray of a pixel; false when it is not good enough. Each coordinate of the point is as far off as p, of itself, and 2^-25, and
+ * floors; the normal within that over r, e; and the way, D + 2 (n.v) n, within 4 e and 2^-23.
  */
 static FC_NOINLINE bool reflect(const fc_coat *coat, uint16_t row, uint16_t column, uint32_t p, path *to) {
   const fc_scan *scan = coat->scan;
@@ -101,7 +103,8 @@ static FC_NOINLINE bool reflect(const fc_coat *coat, uint16_t row, uint16_t colu
   uint32_t most = 0, bend;
   fc_quick inverse;
   uint8_t i;
-  if (octave < 20 + fc_bits64(coat->error) || up > 2 || up < -28) return false;
+  /* radii from 2^12 on: 1 / r in Q30 is below 2^18 */
+  if (octave < 20 + fc_bits64(coat->error) || up > 2 || up < -28 || coat->mirror.inverse.e > -43) return false;
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
   for (i = 0; i < 3; i++) short_d[i] = (int32_t)d[i];
   inverse = fc_quick_rsqrt(fc_quick_from(fc_dot32(short_d, short_d), 0));
@@ -114,7 +117,8 @@ static FC_NOINLINE bool reflect(const fc_coat *coat, uint16_t row, uint16_t colu
   }
   to->error = (uint32_t)(fc_mul32(most, coat->error + 1) >> octave) + (most >> 25) + 6; /* below 2^31 2^-20 */
   /* e in Q30 */
-  bend = (uint32_t)fc_quick_times(coat->mirror.inverse, to->error, 30);
+  bend = (uint32_t)unit_of((int32_t)to->error, coat->mirror.inverse);
+  bend += coat->mirror.inverse.e + 62 > 0 ? UINT32_C(1) << (coat->mirror.inverse.e + 62) : 1;
   if (bend >> 17 != 0) return false;
   to->way_error = 4 * bend + 128;
   dn = (int32_t)fc_floor_shift64(dot30(n, view), 30);
@@ -125,6 +129,30 @@ static FC_NOINLINE bool reflect(const fc_coat *coat, uint16_t row, uint16_t colu
 
 /* v e / 2^30, rounded up. */
 static uint32_t part_of(uint32_t v, uint32_t e_q30) { return (uint32_t)(fc_mul32(v, e_q30) >> 30) + 1; }
+
+/*
+ * Whether a ball is missed, at a glance in 15 bits; o: C - P. Each axis and each part of the way is floored, so b is within 7, and o.o and b^2 within
+ * 2 |o| times that and 14; the ray's own error, below 2^-11 of |o|, and the point's are far less than as much again in these units, or it is no miss.
+ */
+static FC_NOINLINE bool misses(const path *ray, const int32_t o[3], uint32_t radius) {
+  const uint32_t r = (radius >> 15) + 2 + (ray->error >> 15);
+  const uint32_t rough = 8 + (ray->way_error >> 13) + (ray->error >> 14); /* of b, for |o| below 2^15.8 */
+  uint32_t oo = 0, sum = 0, slack;
+  int32_t b = 0;
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    const int32_t v = fc_floor_shift32(o[i], 15), w = fc_floor_shift32(ray->way[i], 15); /* 2^15 at most, and the way's length */
+    b += v * w; /* |o| |R| in all: below 2^31 */
+    oo += (uint32_t)(v * v);
+    sum += fc_abs32(v);
+  }
+  b = fc_floor_shift32(b, 15);
+  slack = 2 * sum * (rough + 2) + 200; /* 17 bits; way errors below 2^21 leave 8 */
+  slack += r * r;
+  /* outside it for certain, and behind or beside it; b^2 is at most o.o and as little more as `slack` holds */
+  if (oo <= slack || oo >> 31 != 0) return false;
+  return b < -(int32_t)rough || (uint32_t)(b * b) + slack < oo;
+}
 
 /*
  * A ball: b = (C - P).R, c = |C - P|^2 - r^2, met at b - sqrt(b^2 - c) where c > 0, b > 0 and b^2 >= c. With o the sum of C - P's axes, b is within
@@ -143,13 +171,14 @@ static FC_NOINLINE uint8_t meet_sphere(const path *ray, const fc_form *form, mee
     o[i] = (int32_t)v;
     sum += fc_abs32(o[i]);
   }
+  if (misses(ray, o, (uint32_t)form->u.sphere.radius)) return MET_NOTHING;
   b = (int32_t)fc_floor_shift64(dot30(o, ray->way), 30);
   b_error = part_of(sum, ray->way_error) + 2 * ray->error + 2;
-  if (b < 0 && (uint32_t)-b > b_error) return MET_NOTHING; /* unless it is inside, which c tells: a ball that holds the point is met */
   /* below 3 2^60 and 2^60 */
   c = dot30(o, o) - fc_smul32((int32_t)form->u.sphere.radius, (int32_t)form->u.sphere.radius);
   margin = 2 * fc_mul32(sum, b_error + 2 * ray->error + 2); /* below 2^32 and 2^28 */
   if (c <= fc_to_i64(margin)) return MET_PERHAPS;
+  if (b < 0 && (uint32_t)-b > b_error) return MET_NOTHING;
   square = fc_smul32(b, b) - c;
   if (square < -fc_to_i64(margin)) return MET_NOTHING;
   if (square <= fc_to_i64(margin) || b <= 0) return MET_PERHAPS;
@@ -196,8 +225,8 @@ static FC_NOINLINE uint8_t meet_plane(const path *ray, const fc_coat_seen *seen,
 /* What the ray meets first: MET sets *first, MET_NOTHING: nothing within the far limit. */
 static FC_NOINLINE uint8_t meet(const fc_coat_mirror *mirror, const path *ray, uint8_t *first, meeting *at) {
   uint8_t i, how = MET_NOTHING;
+  meeting one;
   for (i = 0; i < mirror->count; i++) {
-    meeting one;
     const uint8_t met = mirror->seen[i].sphere ? meet_sphere(ray, &mirror->seen[i].form, &one) : meet_plane(ray, &mirror->seen[i], &one);
     if (met == MET_PERHAPS) return MET_PERHAPS;
     if (met == MET_NOTHING) continue;
@@ -233,6 +262,7 @@ static FC_NOINLINE bool light_far(const fc_coat *coat, const fc_coat_seen *seen,
     to[i] = point[i] - light[i];
   }
   down = fc_shrink(to, to);
+  if (fc_vector_bits(to) < 20) return false;
   for (i = 0; i < 3; i++) line.way[i] = (int32_t)to[i];
   inverse = fc_quick_rsqrt(fc_quick_from(fc_dot32(line.way, line.way), 0));
   for (i = 0; i < 3; i++) line.way[i] = unit_of(line.way[i], inverse);

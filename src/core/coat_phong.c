@@ -102,9 +102,9 @@ static FC_COLD void planar_start(fc_coat *coat, const void *data) {
   fc_coat_directions(coat->scan, &d);
   for (i = 0; i < 3; i++) {
     /* |W'| = |W|: components below 2^30 */
-    mirrored.at[i] = (int32_t)fc_floor_shift64(fc_smul32(g->at, planar->unit[i]) + (1 << 28), 29) - planar->w.at[i];
-    mirrored.dx[i] = (int32_t)fc_floor_shift64(fc_smul32(g->dx, planar->unit[i]) + (1 << 28), 29) - planar->w.dx[i];
-    mirrored.dy[i] = (int32_t)fc_floor_shift64(fc_smul32(g->dy, planar->unit[i]) + (1 << 28), 29) - planar->w.dy[i];
+    mirrored.at[i] = (int32_t)fc_floor_shift64(fc_smul32(g->at, planar->unit[i]) + (INT64_C(1) << 28), 29) - planar->w.at[i];
+    mirrored.dx[i] = (int32_t)fc_floor_shift64(fc_smul32(g->dx, planar->unit[i]) + (INT64_C(1) << 28), 29) - planar->w.dx[i];
+    mirrored.dy[i] = (int32_t)fc_floor_shift64(fc_smul32(g->dy, planar->unit[i]) + (INT64_C(1) << 28), 29) - planar->w.dy[i];
   }
   fc_square_set(&coat->phong.x, &mirrored, &d);
   fc_square_set(&coat->phong.d, &d, &d);
@@ -132,8 +132,8 @@ static FC_HOT void planar_pixels(const fc_coat_phong *phong, const fc_tint *tint
   }
 }
 
-/* Whether no pixel of the next `count` may shine: by X's greatest and the others' least. X lies below its chord, or by count^2 / 8 of its second difference
- * above. */
+/* Whether no pixel of the next `count` may shine: by X's greatest and the others' least. X lies below its chord, or by count^2 / 8 of its
+ * second difference above. */
 static FC_NOINLINE bool is_dull(const fc_coat_phong *phong, const fc_steps *x, uint32_t least_y, const fc_steps *d, uint8_t count) {
   const int32_t bend = fc_to_i32(x->dxx), last = fc_to_i32(x->at + x->dx * count + x->dxx * ((uint32_t)count * (count - 1u) / 2));
   int64_t most = last > fc_to_i32(x->at) ? last : fc_to_i32(x->at);
@@ -332,4 +332,5 @@ static FC_NOINLINE void sphere_run(fc_coat *coat, const void *data) {
   }
 }
 
-const fc_coat_layer fc_coat_layer_phong FC_ROM = {&fc_coat_layers, FC_COAT_ADDS, fits, planar_start, NULL, planar_run, sphere_start, sphere_run, NULL};
+const fc_coat_layer fc_coat_layer_phong FC_ROM = {&fc_coat_layers, FC_COAT_ADDS, fits,         planar_start, NULL,
+                                                  planar_run,      sphere_start, sphere_run,   NULL};

@@ -89,22 +89,25 @@ static FC_COLD void planar_start(fc_coat *coat, const void *data) {
   smooth->how = FC_SMOOTH_FORMS;
 }
 
+FC_INLINE int32_t upper(uint32_t v) { return fc_floor_shift32(fc_to_i32(v), 16); }
+
 /* N and W = (n.D)(P - L) along a row. */
 typedef struct smooth_row {
-  int32_t n[3], w[3];
+  uint32_t n[3], w[3]; /* two's complement: a step past the row wraps */
 } smooth_row;
 
 /*
- * Cosines of up to 32 pixels, Q16: -N.W / (|N| |W|), N turned against W's n. Components have 14 bits, so |N|^2 and |W|^2 are below 2^30. Returns those
- * that are too short: from 2^22 on cuts cost the cosine less than sqrt(3) 2^-11 / sqrt(3) = 2^-11 each, at N's and W's usual lengths 2^-13.
+ * Cosines of up to 32 pixels, Q16: -N.W / (|N| |W|), N turned against W's n. Components have 14 bits, so |N|^2 and |W|^2 are below 2^30.
+ * Returns those that are too short: from 2^22 on cuts cost the cosine less than sqrt(3) 2^-11 / sqrt(3) = 2^-11 each, at N's and W's usual lengths 2^-13.
  */
 static FC_HOT uint32_t cosines(const fc_coat_smooth *smooth, const fc_sheaf *sheaf, smooth_row at, uint8_t count, uint32_t *cosine) {
-  const int32_t ax = smooth->dx[0], ay = smooth->dx[1], az = smooth->dx[2], bx = sheaf->dx[0], by = sheaf->dx[1], bz = sheaf->dx[2];
+  const uint32_t ax = (uint32_t)smooth->dx[0], ay = (uint32_t)smooth->dx[1], az = (uint32_t)smooth->dx[2];
+  const uint32_t bx = (uint32_t)sheaf->dx[0], by = (uint32_t)sheaf->dx[1], bz = (uint32_t)sheaf->dx[2];
   const uint32_t *end = cosine + count;
   uint32_t faint = 0, bit = 1;
   do {
-    const int32_t nx = fc_floor_shift32(at.n[0], 16), ny = fc_floor_shift32(at.n[1], 16), nz = fc_floor_shift32(at.n[2], 16);
-    const int32_t wx = fc_floor_shift32(at.w[0], 16), wy = fc_floor_shift32(at.w[1], 16), wz = fc_floor_shift32(at.w[2], 16);
+    const int32_t nx = upper(at.n[0]), ny = upper(at.n[1]), nz = upper(at.n[2]);
+    const int32_t wx = upper(at.w[0]), wy = upper(at.w[1]), wz = upper(at.w[2]);
     uint32_t nn = (uint32_t)(nx * nx + ny * ny + nz * nz), ww = (uint32_t)(wx * wx + wy * wy + wz * wz), product, c = 0;
     int32_t dot = nx * wx + ny * wy + nz * wz;
     if (dot < 0 && ((nn | 1) >> 22 == 0 || ww >> 22 == 0)) faint |= bit;
@@ -151,8 +154,8 @@ static FC_NOINLINE void planar_cosines(fc_coat *coat, const void *data) {
     return;
   }
   for (i = 0; i < 3; i++) {
-    at.n[i] = smooth->at[i] + smooth->dx[i] * run->column + smooth->dy[i] * run->row;
-    at.w[i] = w->at[i] + w->dx[i] * run->column + w->dy[i] * run->row;
+    at.n[i] = (uint32_t)(smooth->at[i] + smooth->dx[i] * run->column + smooth->dy[i] * run->row);
+    at.w[i] = (uint32_t)(w->at[i] + w->dx[i] * run->column + w->dy[i] * run->row);
   }
   run->slow |= cosines(smooth, w, at, run->count, run->cosine);
 }

@@ -17,6 +17,7 @@ static FC_COLD bool light_of(const fc_scan *scan, bool modulate, fc_coat_texture
       if (slope >= UINT32_C(0x8000) || ambient[i] > FC_ONE_Q15) return false;
       base = ((uint32_t)ambient[i] << 8) * top; /* 15 + 8 + 8 bits */
     }
+    if (modulate && base >= (uint32_t)top << FC_TINT_BITS) return false; /* the tint was cut there */
     base += base >> 8;   /* 256 / 255 within 2^-16 */
     slope += (slope + 128) >> 8;
     if (slope >= UINT32_C(0x8000) || base + (slope << 16) < base) return false;
@@ -62,8 +63,8 @@ static FC_COLD void set_wide(wide_form *form, const int64_t m[3], const int64_t 
 static FC_COLD int64_t scaled(int64_t v, uint32_t m, uint8_t down) { return fc_floor_shift64(fc_smul64hi(v, (int32_t)(m >> 1)), down); }
 
 /*
- * A coordinate is u = scale (m.D) / (n.D) for vectors of the tile (fc_mapping_kind.forms). In texels from the centre of texel 0 that is X = A / Q, both
- * affine in the pixel. A is short of the truth by 2^-26 of what it is from the mapping's origin.
+ * A coordinate is u = scale (m.D) / (n.D) for vectors of the tile (fc_mapping_kind.forms). In texels from the centre of texel 0 that is
+ * X = A / Q, both affine in the pixel. A is short of the truth by 2^-26 of what it is from the mapping's origin.
  */
 static FC_COLD bool set_axis(const wide_form *q, const wide_form *u, fc_quick scale, uint16_t size, fc_coat_axis *axis) {
   const int32_t down = 24 - 33 - scale.e;
@@ -119,15 +120,15 @@ typedef struct texel_run {
 } texel_run;
 
 /*
- * X in Q16 of a run's pixels, less base. q and a are rounded once and at each step: within 17 after 32 pixels. With m = q 2^up normalised, up at most 4,
- * q is within 2^-22.9 of itself: times X, below 2^11 where it is not near, 2^-11.9 of a texel. Near ones have a reciprocal within 2^-15 and X in 2^-11;
- * others within 2^-26. Returns those that are too rough.
+ * X in Q16 of a run's pixels, less base. q and a are rounded once and at each step: within 17 after 32 pixels. With m = q 2^up normalised,
+ * up at most 4, q is within 2^-22.9 of itself: times X, below 2^12 where it is not near, 2^-10.9 of a texel. Near ones have a reciprocal
+ * within 2^-15 and X in 2^-11; others within 2^-26. Returns those that are too rough.
  */
 static FC_HOT uint32_t find_near(const texel_run *of, uint8_t count, int32_t *x, int32_t *y) {
   uint32_t q = of->q, rough = 0, bit = 1;
-  int32_t a = of->a[0], b = of->a[1];
+  uint32_t a = (uint32_t)of->a[0], b = (uint32_t)of->a[1]; /* a step past the run wraps */
   const uint32_t q_dx = of->q_dx;
-  const int32_t a_dx = of->a_dx[0], b_dx = of->a_dx[1];
+  const uint32_t a_dx = (uint32_t)of->a_dx[0], b_dx = (uint32_t)of->a_dx[1];
   const uint8_t a_down = (uint8_t)(16 - of->less[0]), b_down = (uint8_t)(16 - of->less[1]);
   uint8_t up = 1;
   do {
@@ -145,8 +146,8 @@ static FC_HOT uint32_t find_near(const texel_run *of, uint8_t count, int32_t *x,
     } else {
       /* a / 2^15 r is X 2^(31 + up - less - ...): a 2^(less + 16) / q = (a / 2^15) r 2^(less + up - 16) */
       r = (int32_t)fc_recip_q31(m >> 16);
-      *x = fc_floor_shift32(fc_floor_shift32(a, 15) * r, (uint8_t)(a_down - up));
-      *y = fc_floor_shift32(fc_floor_shift32(b, 15) * r, (uint8_t)(b_down - up));
+      *x = fc_floor_shift32(fc_floor_shift32(fc_to_i32(a), 15) * r, (uint8_t)(a_down - up));
+      *y = fc_floor_shift32(fc_floor_shift32(fc_to_i32(b), 15) * r, (uint8_t)(b_down - up));
     }
     x++;
     y++;
@@ -160,7 +161,7 @@ static FC_HOT uint32_t find_near(const texel_run *of, uint8_t count, int32_t *x,
 
 static FC_HOT uint32_t find_far(const texel_run *of, uint8_t count, int32_t *x, int32_t *y) {
   uint32_t q = of->q, rough = 0, bit = 1;
-  int32_t a = of->a[0], b = of->a[1];
+  uint32_t a = (uint32_t)of->a[0], b = (uint32_t)of->a[1]; /* a step past the run wraps */
   do {
     const uint8_t up = fc_to_i32(q) > 0 ? fc_clz32(q) : 32;
     if (up <= 4 && of->less[0] + up <= 14 && of->less[1] + up <= 14) {
@@ -168,8 +169,8 @@ static FC_HOT uint32_t find_far(const texel_run *of, uint8_t count, int32_t *x, 
       uint32_t r = fc_recip_q31(m >> 16) << 15; /* 2^62 / m, and a step of Newton's */
       const int32_t e = (int32_t)(UINT32_C(1) << 30) - (int32_t)fc_mulhi32(m, r);
       r += (uint32_t)fc_floor_shift32((int32_t)(r >> 16) * fc_floor_shift32(e, 2), 12);
-      *x = fc_floor_shift32(fc_smulhi32(a, r), (uint8_t)(14 - of->less[0] - up));
-      *y = fc_floor_shift32(fc_smulhi32(b, r), (uint8_t)(14 - of->less[1] - up));
+      *x = fc_floor_shift32(fc_smulhi32(fc_to_i32(a), r), (uint8_t)(14 - of->less[0] - up));
+      *y = fc_floor_shift32(fc_smulhi32(fc_to_i32(b), r), (uint8_t)(14 - of->less[1] - up));
     } else {
       rough |= bit;
     }
@@ -177,8 +178,8 @@ static FC_HOT uint32_t find_far(const texel_run *of, uint8_t count, int32_t *x, 
     y++;
     bit <<= 1;
     q += of->q_dx;
-    a += of->a_dx[0];
-    b += of->a_dx[1];
+    a += (uint32_t)of->a_dx[0];
+    b += (uint32_t)of->a_dx[1];
   } while (--count != 0);
   return rough;
 }

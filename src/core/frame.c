@@ -145,7 +145,14 @@ static FC_COLD void set_light(fc_frame *frame) {
   fc_light light;
   int16_t e;
   frame->light = FC_LIGHT_MANY;
-  if (frame->scene.light_count == 0) frame->light = FC_LIGHT_NONE;
+  frame->layered = false;
+  if (frame->scene.light_count == 0) {
+    const fc_material *material = frame->scene.materials, *end = material + frame->scene.material_count;
+    uint16_t layers = 0;
+    frame->light = FC_LIGHT_NONE;
+    for (; material != end && layers == 0; material++) FC_READ_ONE(&layers, &material->layer_count);
+    frame->layered = layers != 0;
+  }
   if (frame->scene.light_count != 1 || frame->options.offset_rule != FC_OFFSET_EXACT) return;
   FC_READ_ONE(&light, frame->scene.lights);
   if (light.inverse_square || light.intensity_exponent > 14 || fc_abs64(frame->lights[0]) > reach ||

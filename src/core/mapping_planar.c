@@ -45,25 +45,38 @@ static FC_COLD void locate(const fc_shading *shading, const fc_mapping *mapping,
   uv_q24[1] = along(view, offset, far, &mapping->v, mapping->exponent);
 }
 
-/* (P - origin).u / u.u with P = k D / (n.D) is D.(k u - n (origin.u)) / (n.D) / u.u. */
+/* (P - origin).u / u.u with P = k D / (n.D) is D.(k u - n (origin.u)) / (n.D) / u.u: with the exact normal, as planes may be seen edge-on. */
 static FC_COLD bool forms(const fc_coat *coat, const fc_mapping *mapping, fc_mapping_forms *of) {
   const fc_view *view = &coat->scan->frame->view;
   const fc_planar *planar = coat->planar;
+  const uint8_t n_bits = fc_vector_bits(planar->exact);
   int64_t origin[3];
   uint8_t i, j;
   if (!fc_view_point(view, &mapping->origin, mapping->exponent, origin) || fc_vector_bits(origin) > 30) return false;
-  for (j = 0; j < 3; j++) of->n[j] = planar->normal[j] * (INT64_C(1) << 32); /* 30 + 32 bits */
+  /* to 62 bits */
+  for (j = 0; j < 3; j++) of->n[j] = n_bits > 62 ? fc_floor_shift64(planar->exact[j], 1) : planar->exact[j] * (INT64_C(1) << (62 - n_bits));
   for (i = 0; i < 2; i++) {
     int64_t world[3], axis[3], dot;
-    uint8_t shift;
+    fc_i128 m[3];
+    uint8_t shift, bits = 0, down;
     (void)fc_load(i == 0 ? &mapping->u : &mapping->v, world);
     fc_view_turn(view, world, axis);
     shift = fc_shrink(axis, axis);
     dot = fc_dot(origin, axis); /* 30 + 30 bits, three of them */
-    for (j = 0; j < 3; j++) of->m[i][j] = fc_smul64hi(planar->k, (int32_t)axis[j]) - fc_smul64hi(dot, (int32_t)planar->normal[j]);
-    /* as `along`; m is in 2^32 and n in 2^-32 */
+    for (j = 0; j < 3; j++) {
+      /* k below 2^95 and 30 bits, and 63 + 62: below 2^126 */
+      fc_i128 back = fc_i128_mul(planar->exact[j], dot);
+      m[j] = fc_i128_scale(planar->exact_k, axis[j]);
+      fc_i128_minus(&m[j], &back);
+      if (fc_i128_bits(fc_i128_abs(m[j])) > bits) bits = fc_i128_bits(fc_i128_abs(m[j]));
+    }
+    down = bits > 61 ? (uint8_t)(bits - 61) : 0;
+    for (j = 0; j < 3; j++) of->m[i][j] = fc_i128_to_i64(fc_i128_floor_shift(m[j], down));
+    if (down == 0 && bits < 61)
+      for (j = 0; j < 3; j++) of->m[i][j] *= INT64_C(1) << (61 - bits);
+    /* as `along`; m in 2^(bits - 61), n in 2^(n_bits - 62) */
     of->scale[i] = fc_quick_recip(fc_quick_from((uint64_t)fc_dot(world, world), 0));
-    of->scale[i] = fc_quick_scale(of->scale[i], (int16_t)(view->shift - view->fine + shift - mapping->exponent - 30 + 64));
+    of->scale[i] = fc_quick_scale(of->scale[i], (int16_t)(view->shift - view->fine + shift - mapping->exponent - 30 + bits - 61 + 62 - n_bits));
   }
   return true;
 }

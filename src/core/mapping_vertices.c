@@ -1,6 +1,7 @@
 /* The mapping by texture coordinates at a triangle's vertices. */
 #include "fixcast/error.h"
 #include "mesh.h"
+#include "segment.h"
 #include "texture.h"
 #include "vertex.h"
 
@@ -36,9 +37,12 @@ static FC_COLD bool forms(const fc_coat *coat, const fc_mapping *mapping, fc_map
   const fc_triangle *triangle = fc_triangle_at(&scan->at->group.shapes, scan->index, &copy);
   int64_t normal[3];
   uint8_t i, j, k;
+  bool turned = false; /* the plane's normal is the face's, or its opposite */
   (void)mapping;
   if (uvs == NULL || fc_kind_of(scan->at)->weights == NULL) return false;
   fc_face_normal(scan->form, normal);
+  for (j = 0; j < 3; j++) turned = turned || (normal[j] < 0) != (coat->planar->exact[j] < 0);
+  if (fc_vector_bits(normal) < 50) return false; /* what is cut below would tell */
   for (j = 0; j < 3; j++) {
     /* towards the far side, as fc_planar.exact; in 2^1, and m in 2^34 */
     of->n[j] = fc_floor_shift64(coat->planar->exact[j], 1);
@@ -50,7 +54,6 @@ static FC_COLD bool forms(const fc_coat *coat, const fc_mapping *mapping, fc_map
     FC_READ_ONE(&uv, uvs + triangle->vertex[i]);
     fc_cross(scan->form->u.triangle.vertex[i == 2 ? 0 : i + 1], scan->form->u.triangle.vertex[i == 0 ? 2 : i - 1], n);
     for (j = 0; j < 3; j++) {
-      const bool turned = (normal[j] < 0) != (coat->planar->exact[j] < 0);
       for (k = 0; k < 2; k++) {
         const int64_t part = fc_floor_shift64(fc_smul64hi(n[j], k == 0 ? uv.u : uv.v), 2);
         of->m[k][j] += turned ? -part : part;

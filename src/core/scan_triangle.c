@@ -725,7 +725,7 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows) {
   fc_bin_walk walk;
   uint8_t i;
   brush.scan = scan;
-  brush.plain = scan->frame->light == FC_LIGHT_NONE && scan->pixel_bytes == 2 && scan->target->primitive == NULL &&
+  brush.plain = scan->frame->light == FC_LIGHT_NONE && !scan->frame->layered && scan->pixel_bytes == 2 && scan->target->primitive == NULL &&
                 scan->target->lit == NULL && ((uintptr_t)scan->target->pixels | scan->target->pitch_bytes) % 2 == 0;
   brush.tinted = false;
   brush.coder_drop = INT16_MAX;

@@ -8,6 +8,7 @@ SPHERES = ("s5s1", "s5s8", "s5s64", "s5s512")
 LIT_FIELDS = ("s5t5", "s5t10", "s5t21", "s5t45")
 FLAT_FIELDS = ("s5f5", "s5f10", "s5f21", "s5f45")
 CULLED_FIELDS = ("s5c10", "s5c45")
+LAYERED = ("s1p", "s1rt", "balls", "balls_smooth", "s3")  # with S1 and S1r: pairs with and without a layer
 SIZES = ((64, 64), (240, 240), (320, 240))
 
 
@@ -27,6 +28,7 @@ def plan():
     todo += each(("s1",), CHIPS, ("fixcast",), opts=("-Os", "-O3"))
     todo += each(("s1",), ("m0plus", "m3"), ("fixcast-rays",))
     todo += each(("s1b",), CHIPS, ("fixcast",))
+    todo += each(LAYERED, ("m0plus", "m3"), ("fixcast",))
     todo += each(("s2",), CHIPS, ("fixcast", "float", "double", "fixed"))
     todo += each(("s4",), CHIPS, ("fixcast",))
     todo += each(SPHERES, CHIPS, ("fixcast",))

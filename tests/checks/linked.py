@@ -12,7 +12,7 @@ import sys
 
 from support import Report
 
-UNITS = re.compile(r"(volume(_\w+)?|rotation|rotate|sine|trackball|reflect|extra_\w+|phong|mirror|emission|smooth|vertex|texture(_\w+)?|"
+UNITS = re.compile(r"(volume(_\w+)?|coat(_\w+)?|rotation|rotate|sine|trackball|reflect|extra_\w+|phong|mirror|emission|smooth|vertex|texture(_\w+)?|"
                    r"mapping_\w+|sky|srgb|gamma22|sample(_\w+)?|lens_\w+|triangle_short|outline)\.")
 KINDS = {"fc_kind_plane", "fc_kind_triangle", "fc_kind_triangle_short", "fc_kind_convex"}
 

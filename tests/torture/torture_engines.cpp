@@ -46,10 +46,11 @@ public:
     if (spheres_.empty() && planes_.empty() && triangles_.empty()) add_sphere();
     for (int64_t i = random.within(0, 9) < 7 ? 1 : random.within(0, 3); i > 0; i--) add_light();
     add_materials();
+    add_corners();
     for (fc_shapes shapes : {fc_shapes{&fc_kind_sphere, spheres_.data(), nullptr, size(spheres_), 0, nullptr, nullptr, 0, 0},
                              fc_shapes{&fc_kind_plane, planes_.data(), nullptr, size(planes_), 0, nullptr, nullptr, 0, 0},
-                             fc_shapes{&fc_kind_triangle, triangles_.data(), vertices_.data(),
-                                       size(triangles_), size(vertices_), nullptr, nullptr, 0, 0}})
+                             fc_shapes{&fc_kind_triangle, triangles_.data(), vertices_.data(), size(triangles_), size(vertices_),
+                                       normals_.empty() ? nullptr : normals_.data(), uvs_.empty() ? nullptr : uvs_.data(), 0, 0}})
       tables_.insert(tables_.begin() + random.within(0, static_cast<int64_t>(tables_.size())), shapes);
     std::memset(&scene, 0, sizeof scene);
     scene.shapes = tables_.data();
@@ -316,13 +317,46 @@ private:
       material.layer_count = 0;
       material.layers = nullptr;
     }
-    if (random_.within(0, 2) != 0) return;
-    /* the second has a highlight: from broad to sharper than the fast forms take */
+    /* half of the time the second has a layer: a highlight, from broad to sharper than the fast forms take, smooth normals, an image, a mirror */
     phong_.specular = any_rgb(random_.flip() ? 20000 : 65535);
     phong_.shininess_q8 = static_cast<uint32_t>(random_.within(128, 512)) << random_.within(0, 9);
-    layer_ = {&fc_layer_phong, &phong_};
+    mirror_.reflectance = random_.flip() ? fc_rgb FC_WHITE : any_rgb(32768);
+    mirror_.bounces = static_cast<uint8_t>(random_.within(1, 3));
+    layer_ = {nullptr, nullptr};
+    switch (random_.within(0, 7)) {
+      case 0: layer_ = {&fc_layer_phong, &phong_}; break;
+      case 1: layer_ = {&fc_layer_smooth, nullptr}; break;
+      case 2: layer_ = {&fc_layer_texture, &texture_}; break;
+      case 3:
+        layer_ = {&fc_layer_mirror, &mirror_};
+        materials_[1].diffuse = {0, 0, 0};
+        break;
+      default: return;
+    }
     materials_[1].layers = &layer_;
     materials_[1].layer_count = 1;
+  }
+
+  /* Normals and texture coordinates of the vertices, and what lies over a surface by them or by its place. */
+  void add_corners() {
+    texels_.resize(3 * 8 * 5);
+    for (uint8_t &texel : texels_) texel = static_cast<uint8_t>(random_.within(0, 255));
+    image_ = {texels_.data(), 8, 5, FC_TEXEL_RGB888, 1, static_cast<uint8_t>(random_.flip())};
+    mapping_ = {random_.flip() ? &fc_mapping_vertices : &fc_mapping_planar, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 1, 2};
+    mapping_.origin = to_core(random_.vec(bits_));
+    mapping_.u = to_core(random_.vec(bits_));
+    mapping_.v = to_core(random_.vec(bits_));
+    mapping_.u.x |= 1;
+    mapping_.v.y |= 1;
+    texture_ = {&mapping_, &fc_texture_image, &image_, static_cast<uint8_t>(random_.flip())};
+    const bool wild = random_.within(0, 3) == 0; /* or those of a triangle lie close together */
+    Vec about = random_.direction(13);
+    for (size_t i = 0; i < vertices_.size(); i++) {
+      if (wild || i % 3 == 0) about = random_.direction(13);
+      const Vec n = wild ? about : about + random_.vec(11);
+      normals_.push_back({static_cast<int16_t>(n.x), static_cast<int16_t>(n.y), static_cast<int16_t>(n.z)});
+      uvs_.push_back({static_cast<int32_t>(random_.within(-200000, 200000)), static_cast<int32_t>(random_.within(-200000, 200000))});
+    }
   }
 
   Random &random_;
@@ -334,7 +368,14 @@ private:
   std::vector<fc_light> lights_;
   std::vector<fc_shapes> tables_;
   fc_material materials_[2] = {};
+  std::vector<fc_normal> normals_;
+  std::vector<fc_uv> uvs_;
+  std::vector<uint8_t> texels_;
+  fc_image image_ = {};
+  fc_mapping mapping_ = {};
+  fc_texture texture_ = {};
   fc_phong phong_ = {};
+  fc_mirror mirror_ = {};
   fc_layer layer_ = {};
 };
 
@@ -351,7 +392,9 @@ std::string World::text() const {
   if (scene.far_limit > 0) all += print("\n  far limit %ld * 2^%d", static_cast<long>(scene.far_limit), scene.far_exponent);
   all += "\n  ambient " + text_of(scene.ambient) + " background " + text_of(scene.background) + " diffuse " +
          text_of(materials_[0].diffuse) + " " + text_of(materials_[1].diffuse);
-  if (materials_[1].layer_count != 0)
+  if (materials_[1].layer_count != 0 && layer_.kind != &fc_layer_phong)
+    all += layer_.kind == &fc_layer_smooth ? ", smooth" : layer_.kind == &fc_layer_mirror ? ", mirror" : ", image";
+  if (materials_[1].layer_count != 0 && layer_.kind == &fc_layer_phong)
     all += ", Phong " + text_of(phong_.specular) + print(" ^ %lu/256", static_cast<unsigned long>(phong_.shininess_q8));
   for (const fc_light &l : lights_)
     all += "\n  light " + text_of(l.position) + print(" * 2^%d, intensity ", l.exponent) + text_of(l.intensity) +
@@ -406,7 +449,8 @@ double tolerance(const fc_frame &frame, uint16_t primitive, size_t i) {
   if (fc_kind_of(&surface.at) == &fc_kind_sphere) turn += 1 / static_cast<double>(surface.form.u.sphere.radius);
   const fc_material &material = frame.scene.materials[surface.form.material];
   double steep = 1;
-  if (material.layer_count != 0) steep += 2 * 0.61 * std::sqrt(static_cast<const fc_phong *>(material.layers[0].data)->shininess_q8 / 256.0);
+  if (material.layer_count != 0 && material.layers[0].kind == &fc_layer_phong)
+    steep += 2 * 0.61 * std::sqrt(static_cast<const fc_phong *>(material.layers[0].data)->shininess_q8 / 256.0);
   return 1 + 256 * 0.87 * turn * steep;
 }
 
