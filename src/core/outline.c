@@ -318,31 +318,24 @@ static FC_NOINLINE uint8_t side_of_mesh(const fc_planar *receiver, const fc_grou
   return how;
 }
 
-/* Whether a pixel sees just this vertex: the one point of a receiver that the vertex, which touches it, does not shadow. */
-static bool sees(const fc_scan *scan, const int32_t p[3], uint16_t row, uint16_t column) {
-  int64_t d[3], v[3], cross[3];
-  uint8_t j;
-  for (j = 0; j < 3; j++) v[j] = p[j];
-  fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
-  fc_cross(d, v, cross); /* 30 + 31 bits, two products */
-  return (cross[0] | cross[1] | cross[2]) == 0;
-}
-
-/* The pixel that sees just this vertex is no longer in the mask, and *bit of *word says where it was. */
-static void spare(fc_scan *scan, const int32_t p[3], uint32_t **word, uint32_t *bit) {
-  int32_t x, y, column, row;
+/* The pixel that sees just this vertex, which touches the receiver there and does not shadow it, is no longer in the mask; *bit of
+ * *word says where it was. */
+static FC_COLD void spare(fc_scan *scan, const int32_t p[3], uint32_t **word, uint32_t *bit) {
+  int64_t d[3], step;
+  uint16_t row, column;
   if (p[2] <= 0) return;
-  x = fc_view_project(scan->frame, 0, p[0], p[2]) - scan->x;
-  y = fc_view_project(scan->frame, 1, p[1], p[2]) - scan->y;
-  for (row = y - 1; row <= y + 1; row++)
-    for (column = x - 1; column <= x + 1; column++) {
-      if (row < scan->first_row || row > scan->last_row || column < 0 || column >= scan->columns) continue;
-      if (!sees(scan, p, (uint16_t)row, (uint16_t)column)) continue;
+  fc_scan_direction(scan, d, &step);
+  for (row = 0; row <= scan->last_row; row++, d[1] -= step) {
+    if (row < scan->first_row || d[1] * p[2] != p[1] * d[2]) continue; /* 30 + 31 bits */
+    for (column = 0; column < scan->columns; column++, d[0] += step) {
+      if (d[0] * p[2] != p[0] * d[2]) continue;
       *word = &scan->mask[row * scan->words + column / 32];
       *bit = **word & UINT32_C(1) << (column % 32);
       **word &= ~*bit;
       return;
     }
+    return;
+  }
 }
 
 /* A pixel that the outline leaves open: any face may block it. */

@@ -329,9 +329,9 @@ static void test_corners_that_shadow_a_pixels_centre(void) {
     if (trial % 4 > 1) { /* or misses it by next to nothing */
       int i;
       for (i = 0; i < VERTICES; i++) scale(&vertices[0][i]);
-      for (i = 0; i < 3; i++) scale(&floor_corners[i]);
+      for (i = 0; i < 3 && trial % 2 == 0; i++) scale(&floor_corners[i]);
       scale(&lamp.position);
-      ground.d *= INT32_C(1) << 13;
+      if (trial % 2 != 0) ground.d *= INT32_C(1) << 13;
       lamp.position.x += random_within(-2, 2);
       lamp.position.y += random_within(-2, 2);
       lamp.position.z += random_within(-2, 2);
