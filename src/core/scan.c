@@ -281,7 +281,7 @@ static void affine_plain(fc_scan *scan, uint16_t row, uint16_t column, uint16_t 
   }
 }
 
-void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, int64_t value, int64_t step,
+FC_COLD void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, int64_t value, int64_t step,
                     uint8_t gain, uint32_t error, fc_coder *coder) {
   const fc_frame *frame = scan->frame;
   const int32_t margin = (int32_t)error;
