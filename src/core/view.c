@@ -60,9 +60,9 @@ static FC_COLD int set_rows(fc_view *view, const fc_camera *camera) {
     uint8_t j = i == 2 ? 0 : (uint8_t)(i + 1), k = i == 0 ? 2 : (uint8_t)(i - 1);
     fc_i128 up = fc_i128_mul(r[j], f[k]), down = fc_i128_mul(r[k], f[j]);
     fc_i128_minus(&up, &down);
-    view->row[0][i] = (int32_t)fc_floor_shift64(r[i] + (1 << 29), 30);
+    view->row[0][i] = (int32_t)fc_floor_shift64(r[i] + (INT64_C(1) << 29), 30);
     view->row[1][i] = (int32_t)fc_i128_to_i64(fc_i128_round_shift(up, 90));
-    view->row[2][i] = (int32_t)fc_floor_shift64(f[i] + (1 << 29), 30);
+    view->row[2][i] = (int32_t)fc_floor_shift64(f[i] + (INT64_C(1) << 29), 30);
   }
   return FC_OK;
 }
