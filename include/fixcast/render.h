@@ -95,7 +95,7 @@ typedef struct fc_scratch {
 } fc_scratch;
 
 /* The same as fc_render_rows with most of what that takes from the stack in memory of the caller's: for chips with little stack a
- * core, or an interrupt's (docs/SPEC.md section 12 has the bytes). Errors: those of fc_render_rows; FC_ERR_NULL without scratch. */
+ * core, or an interrupt's (docs/SPEC.md section 14 has the bytes). Errors: those of fc_render_rows; FC_ERR_NULL without scratch. */
 int fc_render_rows_in(fc_scratch *scratch, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
 
 /*

@@ -26,6 +26,7 @@ typedef struct fc_ball_light {
   struct {
     uint16_t primitive;
     int16_t radius;          /* of a sphere, short; 0: ask the form */
+    uint32_t square;         /* of its center */
     union {
       int16_t center[3];       /* of a sphere with a short radius: from the light */
       fc_placed_window window; /* of others: pixels in which it may matter */

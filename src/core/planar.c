@@ -122,11 +122,14 @@ FC_COLD bool fc_planar_faces_ball(const fc_scan *scan, const fc_planar *receiver
 static FC_COLD bool foot(const fc_scan *scan, const fc_planar *planar, uint16_t row, uint16_t column, int64_t point[3]) {
   static const int64_t eye[3] = {0, 0, 0};
   int64_t d[3], nd;
-  fc_num k = fc_num_from_u64((uint64_t)planar->k, 0);
+  fc_num t;
   fc_view_direction(scan->frame, (uint16_t)(scan->x + column), (uint16_t)(scan->y + row), d);
   nd = fc_dot(planar->normal, d);
   if (planar->slack != 0 && nd >> 50 == 0) return false;
-  return nd > 0 && fc_point_at(fc_num_div(k, fc_num_from_u64((uint64_t)nd, 0)), eye, d, point);
+  if (nd <= 0) return false;
+  fc_num_set(&t, (uint64_t)planar->k, 0);
+  fc_num_over_u64(&t, (uint64_t)nd);
+  return fc_point_at(t, eye, d, point);
 }
 
 FC_COLD bool fc_planar_blocked(const fc_scan *scan, const fc_planar *receiver, uint16_t row, uint16_t column, const fc_kind *kind,

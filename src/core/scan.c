@@ -274,7 +274,7 @@ static void affine_plain(fc_scan *scan, uint16_t row, uint16_t column, uint16_t 
   }
 }
 
-void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, int64_t value, int64_t step,
+FC_COLD void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, int64_t value, int64_t step,
                     uint8_t gain, uint32_t error, fc_coder *coder) {
   const fc_frame *frame = scan->frame;
   const int32_t margin = (int32_t)error;
@@ -665,23 +665,19 @@ FC_COLD void fc_strip_draw(fc_scan *scan, const fc_frame *frame, uint16_t y, uin
   while (fc_cursor_next(cursor)) fc_kind_of(cursor)->strip(scan, rows);
 }
 
-static FC_COLD int render(fc_scan *scan, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+typedef char fc_scratch_is_large[sizeof(fc_scan) <= sizeof(fc_scratch) ? 1 : -1];
+
+FC_COLD int fc_render_rows_in(fc_scratch *scratch, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+  const int pixel_bytes = fc_render_check(frame, y, rows, target);
+  if (pixel_bytes < 0) return pixel_bytes;
+  if (scratch == NULL) return FC_ERR_NULL;
   fc_strip_clear(frame, y, rows, target);
-  fc_strip_draw(scan, frame, y, rows, target, FC_SKIP_NONE);
+  fc_strip_draw((fc_scan *)(void *)scratch, frame, y, rows, target, FC_SKIP_NONE);
   fc_strip_finish(frame, rows, target);
   return FC_OK;
 }
 
-FC_COLD int fc_render_rows_in(fc_scratch *scratch, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
-  typedef char fc_scratch_is_large[sizeof(fc_scan) <= sizeof(fc_scratch) ? 1 : -1];
-  const int pixel_bytes = fc_render_check(frame, y, rows, target);
-  (void)sizeof(fc_scratch_is_large);
-  if (scratch == NULL) return FC_ERR_NULL;
-  return pixel_bytes < 0 ? pixel_bytes : render((fc_scan *)(void *)scratch, frame, y, rows, target);
-}
-
 FC_COLD int fc_render_rows(const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
-  const int pixel_bytes = fc_render_check(frame, y, rows, target);
-  fc_scan scan;
-  return pixel_bytes < 0 ? pixel_bytes : render(&scan, frame, y, rows, target);
+  fc_scratch scratch;
+  return fc_render_rows_in(&scratch, frame, y, rows, target);
 }

@@ -156,13 +156,15 @@ static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
   fc_form *form = &scan->asked->surface.form;
   fc_window box;
   int16_t center[3], radius = 0;
+  uint32_t square = 0;
   uint8_t i;
   uint16_t primitive = (uint16_t)(at->group.first + index);
   if (primitive == scan->primitive) return false;
   fc_kind_of(at)->fetch(&at->group, index, form);
   if (fc_kind_of(at)->hides == fc_sphere_hides) radius = shorten(form, scan->frame->lights, light->unit, center);
   if (radius != 0) {
-    if (!short_between(short_square(center), short_dot(center, list->way), list->length, (uint32_t)radius + 4,
+    square = short_square(center);
+    if (!short_between(square, short_dot(center, list->way), list->length, (uint32_t)radius + 4,
                        ((uint32_t)scan->form->u.sphere.radius >> light->unit) + 4))
       return false;
   } else if (!fc_kind_of(at)->between(scan->frame, form, scan->frame->lights, scan->form->u.sphere.center,
@@ -179,6 +181,7 @@ static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
     set_window(scan->frame, &box, &light->occluder[light->occluders].at.window);
   else
     for (i = 0; i < 3; i++) light->occluder[light->occluders].at.center[i] = center[i];
+  light->occluder[light->occluders].square = radius != 0 ? square : 0;
   light->occluders++;
   return false;
 }
@@ -397,43 +400,94 @@ static FC_COLD bool occluded_by_any(const fc_scan *scan, const fc_ball_light *li
   return fc_space_search(&scan->space, &reach, hides_pixel, &question);
 }
 
-/* Whether an occluder in the list keeps the light away from the pixel with this p. */
-static FC_COLD bool occluded(const fc_scan *scan, const fc_ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
+/*
+ * The way from the light to what a pixel with this p shows, in short units, and a bound of its error an axis, as point_at in 16 bits; false
+ * where they do not hold it.
+ *
+ * p, its reciprocal and the factor are within 2^-15 of themselves each, and t is cut to 2^-14: less than 2^-12 of the point's largest component
+ * in all. Cutting D by 2^14 moves it by up to 2^14 t more; and there are two floors.
+ */
+static FC_COLD bool short_way(const fc_scan *scan, const fc_ball_light *light, uint16_t row, uint16_t column, uint32_t p, int16_t way[3],
+                              uint32_t *error) {
+  const fc_frame *frame = scan->frame;
+  const uint8_t octave = (uint8_t)(31 - fc_clz32(p));
+  const int32_t down = octave + light->unit - light->depth.e - 30, one = INT32_C(1) << frame->view.pixel_shift;
+  int32_t d[3], t;
+  uint32_t most = 0;
+  uint8_t i;
+  if (octave < 15 || down < 0 || down > 31) return false;
+  /* 17 + 16 bits, the former at most 2^16: below 2^32 */
+  t = (int32_t)((fc_recip_q31(p >> (octave - 15)) * (light->depth.m >> 16)) >> 16);
+  d[0] = (2 * (scan->x + (int32_t)column) + 1 - frame->width) * one;
+  d[1] = (frame->height - 2 * (scan->y + (int32_t)row) - 1) * one;
+  d[2] = frame->view.focal;
+  for (i = 0; i < 3; i++) {
+    /* 15 + 16 bits */
+    const int32_t v = fc_floor_shift32(fc_floor_shift32(d[i], 14) * t, (uint8_t)down);
+    const int32_t w = v - fc_floor_shift32((int32_t)frame->lights[i], light->unit);
+    way[i] = (int16_t)w;
+    if (way[i] != w) return false;
+    most |= fc_abs32(v);
+  }
+  *error = (most >> 12) + ((uint32_t)t >> down) + 4;
+  return true;
+}
+
+/* The same from point_at's point. */
+static FC_COLD bool fine_way(const fc_scan *scan, const fc_ball_light *light, const int32_t point[3], int16_t way[3]) {
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    const int32_t v = fc_floor_shift32(point[i] - (int32_t)scan->frame->lights[i], light->unit);
+    way[i] = (int16_t)v;
+    if (way[i] != v) return false;
+  }
+  return true;
+}
+
+/* Whether an occluder that has no short answer keeps the light away from the pixel with this p. */
+static FC_COLD bool occluded_by(const fc_scan *scan, const fc_ball_light *light, uint8_t i, uint16_t row, uint16_t column, uint32_t p) {
   fc_cursor *cursor = &scan->asked->surface.at;
   fc_form *form = &scan->asked->surface.form;
+  const fc_kind *kind;
   int32_t point[3];
-  int16_t way[3]; /* from the light to the point */
-  uint32_t error, length;
-  bool fits = true;
-  uint8_t i;
+  int16_t way[3];
+  const uint32_t error = point_at(scan, light, row, column, p, point);
+  int8_t hides = -1;
   uint16_t index;
-  if (light->occluders == MANY) return occluded_by_any(scan, light, row, column, p);
-  error = point_at(scan, light, row, column, p, point);
-  for (i = 0; i < 3; i++) {
-    int32_t v = fc_floor_shift32(point[i] - (int32_t)scan->frame->lights[i], light->unit);
-    way[i] = (int16_t)v;
-    if (way[i] != v) fits = false;
+  if (light->occluder[i].radius != 0 && fine_way(scan, light, point, way)) {
+    hides = short_hides(light->occluder[i].square, short_dot(light->occluder[i].at.center, way), short_square(way),
+                        light->occluder[i].radius, error >> light->unit);
+    if (hides >= 0) return hides > 0;
   }
-  length = short_square(way);
+  if (!fc_cursor_find(cursor, &scan->space, light->occluder[i].primitive, &index)) return false;
+  kind = fc_kind_of(cursor);
+  kind->fetch(&cursor->group, index, form);
+  if (kind->hides != NULL) hides = kind->hides(form, scan->frame->lights, point, error);
+  return hides > 0 || (hides < 0 && fc_scan_blocked(scan, row, column, kind, form));
+}
+
+/* Whether an occluder in the list keeps the light away from the pixel with this p. */
+static FC_COLD bool occluded(const fc_scan *scan, const fc_ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
+  int16_t way[3];
+  uint32_t error = 0, length = 0;
+  bool fits;
+  uint8_t i;
+  if (light->occluders == MANY) return occluded_by_any(scan, light, row, column, p);
+  fits = short_way(scan, light, row, column, p, way, &error);
+  if (fits) length = short_square(way);
   for (i = 0; i < light->occluders; i++) {
-    const fc_kind *kind;
-    int8_t hides = -1;
-    if (fits && light->occluder[i].radius != 0) {
-      const int16_t *center = light->occluder[i].at.center;
-      hides = short_hides(short_square(center), short_dot(center, way), length, light->occluder[i].radius, error >> light->unit);
-      if (hides == 0) continue;
-      if (hides > 0) return true;
-    } else if (light->occluder[i].radius == 0) {
+    if (light->occluder[i].radius == 0) {
       const fc_placed_window *window = &light->occluder[i].at.window;
       if (scan->x + column < window->x0 || scan->x + column > window->x1 || scan->y + row < window->y0 ||
           scan->y + row > window->y1)
         continue;
+    } else if (fits) {
+      const int8_t hides = short_hides(light->occluder[i].square, short_dot(light->occluder[i].at.center, way), length,
+                                       light->occluder[i].radius, error);
+      if (hides == 0) continue;
+      if (hides > 0) return true;
     }
-    if (!fc_cursor_find(cursor, &scan->space, light->occluder[i].primitive, &index)) continue;
-    kind = fc_kind_of(cursor);
-    kind->fetch(&cursor->group, index, form);
-    if (kind->hides != NULL) hides = kind->hides(form, scan->frame->lights, point, error);
-    if (hides > 0 || (hides < 0 && fc_scan_blocked(scan, row, column, kind, form))) return true;
+    if (occluded_by(scan, light, i, row, column, p)) return true;
   }
   return false;
 }

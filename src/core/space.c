@@ -176,21 +176,22 @@ FC_COLD bool fc_space_search(const fc_space *space, fc_reach *reach, fc_visit *v
 /* What is being tested for lying on a segment. */
 typedef struct block_test {
   fc_segment *segment;
+  fc_form *form; /* what is tested */
   uint16_t skip;
 } block_test;
 
 static bool blocks(void *context, const fc_cursor *at, uint16_t index) {
   const block_test *test = context;
-  fc_form form;
   if ((uint16_t)(at->group.first + index) == test->skip) return false;
-  fc_kind_of(at)->fetch(&at->group, index, &form);
-  return fc_kind_of(at)->blocked(&form, test->segment);
+  fc_kind_of(at)->fetch(&at->group, index, test->form);
+  return fc_kind_of(at)->blocked(test->form, test->segment);
 }
 
-FC_COLD bool fc_space_blocked(const fc_space *space, fc_segment *segment, uint16_t skip) {
+static FC_COLD bool blocked_in(fc_form *form, const fc_space *space, fc_segment *segment, uint16_t skip) {
   block_test test;
   fc_reach reach;
   test.segment = segment;
+  test.form = form;
   test.skip = skip;
   reach.from = segment->light;
   reach.to = segment->point;
@@ -198,6 +199,15 @@ FC_COLD bool fc_space_blocked(const fc_space *space, fc_segment *segment, uint16
   reach.radius = segment->point_error;
   reach.limited = false;
   return fc_space_search(space, segment->point_error != UINT32_MAX ? &reach : NULL, blocks, &test);
+}
+
+static FC_COLD bool blocked_here(const fc_space *space, fc_segment *segment, uint16_t skip) {
+  fc_form form;
+  return blocked_in(&form, space, segment, skip);
+}
+
+FC_COLD bool fc_space_blocked(const fc_space *space, fc_segment *segment, uint16_t skip) {
+  return space->room != NULL ? blocked_in(&space->room->form, space, segment, skip) : blocked_here(space, segment, skip);
 }
 
 FC_COLD uint8_t fc_form_meet_in(fc_prepared *prepared, const fc_kind *kind, const fc_form *form, const int64_t origin[3],

@@ -46,33 +46,26 @@ static FC_COLD fc_quick quick_reach(const int64_t offset[3], uint64_t radius, ui
 }
 
 static FC_COLD fc_num extent(const fc_view *view, const fc_shapes *shapes) {
-  /* the reach of each to 2^-12 first; then exactly those that may be the farthest */
+  /* the reach of each to 2^-12 first; exactly where that may be the farthest so far, as the farthest of all may when its turn comes */
   fc_num most = {0, 0};
   fc_quick farthest = {0, 0};
   const fc_quick nearly_one = {UINT32_C(0xffc00000), -32}; /* 2^-10 less: more than two values' errors */
-  uint8_t pass;
-  for (pass = 0; pass < 2; pass++) {
-    uint16_t i;
-    if (pass != 0) farthest = fc_quick_mul(farthest, nearly_one);
-    for (i = 0; i < shapes->count; i++) {
-      fc_sphere s;
-      int64_t offset[3];
-      fc_quick quick;
-      read_item(shapes, i, &s);
-      fc_view_offset(view, &s.center, offset);
-      quick = quick_reach(offset, (uint64_t)s.radius, view->fine);
-      if (pass == 0) {
-        if (fc_quick_less(farthest, quick)) farthest = quick;
-      } else {
-        if (!fc_quick_less(quick, farthest)) {
-          fc_num reach, radius;
-          fc_length_to(&reach, offset);
-          fc_num_set(&radius, (uint64_t)s.radius, view->fine);
-          fc_num_plus(&reach, &radius);
-          if (fc_num_order_of(&reach, &most) > 0) most = reach;
-        }
-      }
-    }
+  uint16_t i;
+  for (i = 0; i < shapes->count; i++) {
+    fc_sphere s;
+    int64_t offset[3];
+    fc_quick quick;
+    fc_num reach, radius;
+    read_item(shapes, i, &s);
+    fc_view_offset(view, &s.center, offset);
+    quick = quick_reach(offset, (uint64_t)s.radius, view->fine);
+    if (fc_quick_less(quick, farthest)) continue;
+    quick = fc_quick_mul(quick, nearly_one);
+    if (fc_quick_less(farthest, quick)) farthest = quick;
+    fc_length_to(&reach, offset);
+    fc_num_set(&radius, (uint64_t)s.radius, view->fine);
+    fc_num_plus(&reach, &radius);
+    if (fc_num_order_of(&reach, &most) > 0) most = reach;
   }
   return most;
 }

@@ -203,19 +203,18 @@ FC_COLD bool fc_window_cut(const fc_frame *frame, fc_window *box) {
 }
 
 /* The first and last pixel of an axis at which a ball in front of the eye is seen: a, z of its center. The tangents through
- * the eye touch it where a / z = (a z +- r sqrt(a^2 + z^2 - r^2)) / (z^2 - r^2). */
-static FC_COLD void ball_span(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z, int64_t r, int32_t *first, int32_t *last) {
+ * the eye touch it where a / z = (a z +- r sqrt(a^2 + square)) / square, square = z^2 - r^2; scale: F / square, in half pixels. */
+static FC_COLD void ball_span(const fc_frame *frame, uint8_t axis, int32_t a, int32_t z, int32_t r, int64_t square, fc_quick scale,
+                              int32_t *first, int32_t *last) {
   /* 30-bit factors; z > r > 0 */
-  int64_t across = a * z, square = z * z - r * r, reach[2];
-  fc_quick root = fc_quick_from((uint64_t)(a * a + square), 0), scale;
+  int64_t across = fc_smul32(a, z), reach[2];
+  fc_quick root = fc_quick_from((uint64_t)(fc_smul32(a, a) + square), 0);
   uint8_t i;
   reach[0] = (int64_t)fc_quick_to_u64(fc_quick_mul(fc_quick_mul(root, fc_quick_rsqrt(root)), fc_quick_from((uint64_t)r, 0)));
   /* the product's error, and its floor: where the eye is close to the ball the difference below all but vanishes */
   reach[0] += (reach[0] >> 22) + 2;
   reach[1] = across + reach[0];
   reach[0] = across - reach[0];
-  scale = fc_quick_mul(fc_quick_recip(fc_quick_from((uint64_t)square, 0)),
-                       fc_quick_from((uint64_t)frame->view.focal, (int16_t)-frame->view.pixel_shift));
   for (i = 0; i < 2; i++) {
     /* half pixels from the centre; the values are off by 2^-24 of at most 2^13 where that matters */
     int32_t half = fc_quick_times(scale, reach[i], 0), pixel;
@@ -236,8 +235,12 @@ FC_COLD bool fc_ball_window(const fc_frame *frame, const int64_t c[3], int64_t r
   box->y1 = frame->height - 1;
   if (c[2] + r <= 0) return false;
   if (c[2] > r && fc_vector_bits(c) <= 30) {
-    ball_span(frame, 0, c[0], c[2], r, &box->x0, &box->x1);
-    ball_span(frame, 1, c[1], c[2], r, &box->y0, &box->y1);
+    const int32_t z = (int32_t)c[2], radius = (int32_t)r;
+    const int64_t square = fc_smul32(z, z) - fc_smul32(radius, radius);
+    const fc_quick scale = fc_quick_mul(fc_quick_recip(fc_quick_from((uint64_t)square, 0)),
+                                        fc_quick_from((uint64_t)frame->view.focal, (int16_t)-frame->view.pixel_shift));
+    ball_span(frame, 0, (int32_t)c[0], z, radius, square, scale, &box->x0, &box->x1);
+    ball_span(frame, 1, (int32_t)c[1], z, radius, square, scale, &box->y0, &box->y1);
   }
   return fc_window_cut(frame, box);
 }

@@ -40,6 +40,7 @@ typedef struct run {
   uint8_t *send[FC_QUEUE_STRIPS];
   uint16_t *depth;
   void *frame_memory;
+  fc_scratch *scratch;     /* what strips are drawn in */
   size_t frame_bytes;
   uint8_t buffers, turn;   /* how many of `send` there are, which one is free */
   fc_queue queue;          /* of more than two */
@@ -190,6 +191,7 @@ static int share_memory(run *self) {
   self->frame_bytes = fc_frame_memory(&s1, &error);
   if (self->frame_bytes == 0) return error;
   self->frame_memory = take(&free, &left, self->frame_bytes);
+  self->scratch = take(&free, &left, sizeof *self->scratch);
   self->depth = take(&free, &left, drawn);
   /* Pixels that don't shrink much are changed where they are. */
   if (format == FC_DISPLAY_GREY4 || format == FC_DISPLAY_MONO8) {
@@ -202,7 +204,7 @@ static int share_memory(run *self) {
     self->send[i] = take(&free, &left, sent);
     if (self->send[i] == NULL) all = false;
   }
-  return self->frame_memory == NULL || self->depth == NULL || !all ? FC_ERR_MEMORY : FC_OK;
+  return self->frame_memory == NULL || self->scratch == NULL || self->depth == NULL || !all ? FC_ERR_MEMORY : FC_OK;
 }
 
 /* ---- drawing ---- */
@@ -229,7 +231,7 @@ static int fill_scene(run *self, uint16_t y, uint16_t rows, uint8_t *pixels) {
   target.format = FC_RGB565_BE;
   target.depth = self->depth;
   return board->render != NULL ? board->render(board->context, &self->frame, y, rows, &target)
-                               : fc_render_rows(&self->frame, y, rows, &target);
+                               : fc_render_rows_in(self->scratch, &self->frame, y, rows, &target);
 }
 
 /* A strip in the panel's format; `y` and `area` are on the panel. Pages are made row by row where strips are lower. */

@@ -58,12 +58,12 @@ typedef struct fc_firmware_board {
   size_t memory_bytes;    /* FC_FIRMWARE_MEMORY() */
 } fc_firmware_board;
 
-/* Enough bytes of memory: the frame's own, two strips to send, one of depth codes and, where a strip to send is smaller than what is drawn, one of
+/* Enough bytes of memory: the frame's own, what strips are drawn in, two strips to send, one of depth codes and, where a strip to send is smaller than what is drawn, one of
  * that. The second is for panels of FC_DISPLAY_GREY4. */
-#define FC_FIRMWARE_MEMORY(width, strip_rows) (256u + 6u * (size_t)(width) * (strip_rows))
+#define FC_FIRMWARE_MEMORY(width, strip_rows) (256u + sizeof(fc_scratch) + 6u * (size_t)(width) * (strip_rows))
 /* What each further strip of pixels adds to that. */
 #define FC_FIRMWARE_MEMORY_BUFFER(width, strip_rows) (8u + 2u * (size_t)(width) * (strip_rows))
-#define FC_FIRMWARE_MEMORY_GREY4(width, strip_rows) (256u + 5u * (size_t)(width) * (strip_rows))
+#define FC_FIRMWARE_MEMORY_GREY4(width, strip_rows) (256u + sizeof(fc_scratch) + 5u * (size_t)(width) * (strip_rows))
 
 /* Starts the panel and shows frames. FC_OK after the last one, or the error that it has also printed: any of fc_error or the bus's own. */
 int fc_firmware_run(const fc_firmware_board *board);

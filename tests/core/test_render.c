@@ -247,6 +247,7 @@ static void test_coincident_primitives_lowest_number(void) {
 }
 
 static void test_g6_bad_arguments_are_refused(void) {
+  static fc_scratch scratch;
   fc_target t = target_of(FC_RGB888);
   fc_camera camera = s1_camera;
   fc_hit hit;
@@ -281,7 +282,10 @@ static void test_g6_bad_arguments_are_refused(void) {
   TEST_ASSERT_EQUAL_INT(FC_ERR_SIZE, fc_render_rows(&frame, HEIGHT - 1, 2, &t));
   t.format = 3;
   TEST_ASSERT_EQUAL_INT(FC_ERR_FORMAT, fc_render_rows(&frame, 0, 1, &t));
+  TEST_ASSERT_EQUAL_INT(FC_ERR_FORMAT, fc_render_rows_in(&scratch, &frame, 0, 1, &t));
   t = target_of(FC_RGB888);
+  TEST_ASSERT_EQUAL_INT(FC_ERR_NULL, fc_render_rows_in(NULL, &frame, 0, 1, &t));
+  TEST_ASSERT_EQUAL_INT(FC_OK, fc_render_rows_in(&scratch, &frame, 0, 1, &t));
   t.pitch_bytes--;
   TEST_ASSERT_EQUAL_INT(FC_ERR_SIZE, fc_render_rows(&frame, 0, 1, &t));
   t.depth = NULL;
