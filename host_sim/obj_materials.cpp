@@ -41,6 +41,7 @@ bool read_materials(const std::string &path, TextLines &lines, std::vector<tinyo
     if (keyword == "Kd" && words.size() == 1) used += " " + std::string(words[0]) + " " + std::string(words[0]); /* red alone is grey */
     used += "\n";
   }
+  if (count == 0) return textured; /* tinyobjloader would make one without a name */
   std::istringstream stream(used);
   tinyobj::LoadMtl(&index, &materials, &stream, &warning, &error);
   return textured;
