@@ -100,7 +100,7 @@ fuzz: ## search for inputs that break the core or the scene reader, FUZZ_SECONDS
 	@.ci/install fuzz
 	@cmake -S tests/fuzz -B $(BUILD)/fuzz --log-level=WARNING >/dev/null
 	@cmake --build $(BUILD)/fuzz --parallel $(JOBS) >/dev/null
-	@python3 tests/fuzz/run.py --seconds $(FUZZ_SECONDS) --jobs $(JOBS) $(BUILD)/fuzz nff obj view scene strips
+	@python3 tests/fuzz/run.py --seconds $(FUZZ_SECONDS) --jobs $(JOBS) $(BUILD)/fuzz nff obj mtl view options scene strips
 
 torture: ## a thousand million seeded hard cases against exact oracles, resumable (about 20 minutes)
 	@.ci/install test

@@ -13,6 +13,7 @@
 #pragma GCC diagnostic ignored "-Wshadow"
 #endif
 #include <tiny_obj_loader.h>
+#undef TINYOBJLOADER_IMPLEMENTATION
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif
@@ -21,72 +22,26 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
-#include <fstream>
 #include <istream>
 #include <map>
-#include <sstream>
 #include <streambuf>
 #include <utility>
 
 #include "obj.h"
-#include "text_file.h"
+#include "obj_materials.h"
+#include "obj_words.h"
+#include "text_lines.h"
 #include "triangulate.h"
 
 namespace host {
 namespace {
 
-constexpr std::size_t max_faces = 65535, max_corners = 65535, max_line_bytes = 65536;
+constexpr std::size_t max_faces = 65535, max_corners = 65535;
 constexpr double max_coordinate = 1e30;
 
 [[noreturn]] void fail(const std::string &path, const std::string &sentence) { throw UserError(path + ": " + sentence); }
-
-[[noreturn]] void fail(const std::string &path, std::size_t line, const std::string &sentence) {
-  throw UserError(path + ":" + std::to_string(line) + ": " + sentence);
-}
-
-/* Splits the first line off, with what ends it: LF, CR LF or CR alone, the ends that tinyobjloader knows. */
-std::string_view take_line(std::string_view &text) {
-  std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-  if (end + 1 < text.size() && text[end] == '\r' && text[end + 1] == '\n') end++;
-  const std::string_view line = text.substr(0, std::min(end + 1, text.size()));
-  text.remove_prefix(line.size());
-  return line;
-}
-
-/* The word that a line begins with. */
-std::string_view keyword_of(std::string_view line) {
-  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-  return line.substr(0, line.find_first_of(" \t\r\n"));
-}
-
-/* Splits the leading digits off. */
-std::size_t take_digits(std::string_view &text) {
-  const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
-  text.remove_prefix(count);
-  return count;
-}
-
-void take_sign(std::string_view &text) {
-  if (!text.empty() && (text[0] == '-' || text[0] == '+')) text.remove_prefix(1);
-}
-
-/* A decimal with an exponent of at most three digits. */
-bool is_number(std::string_view text) {
-  take_sign(text);
-  std::size_t digits = take_digits(text);
-  if (!text.empty() && text[0] == '.') {
-    text.remove_prefix(1);
-    digits += take_digits(text);
-  }
-  if (digits == 0) return false;
-  if (text.empty()) return true;
-  if (text[0] != 'e' && text[0] != 'E') return false;
-  text.remove_prefix(1);
-  take_sign(text);
-  const std::size_t exponent = take_digits(text);
-  return text.empty() && exponent >= 1 && exponent <= 3;
-}
 
 /* A corner of a face: 1, 1/2, 1//3 or 1/2/3, each number of at most nine digits, perhaps negative. */
 bool is_corner(std::string_view text) {
@@ -101,68 +56,58 @@ bool is_corner(std::string_view text) {
   return false;
 }
 
-/* What stands behind the keyword, word by word: tinyobjloader takes a wrong number for 0, and a huge exponent overflows in it. */
+/* What stands behind the keyword, word by word. */
 void check_words(const std::string &path, std::size_t number, std::string_view keyword, std::string_view line) {
   const bool face = keyword == "f", numbers = keyword == "v" || keyword == "vn" || keyword == "vt";
   if (!face && !numbers) return;
-  constexpr const char *blanks = " \t\r\n";
-  std::size_t words = 0;
-  line.remove_prefix(static_cast<std::size_t>(keyword.data() - line.data()) + keyword.size());
-  for (std::size_t begin = line.find_first_not_of(blanks); begin != std::string_view::npos && line[begin] != '#';) {
-    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
-    const std::string_view word = line.substr(begin, end - begin);
+  const std::vector<std::string_view> words = words_behind(keyword, line);
+  for (const std::string_view word : words)
     if (face ? !is_corner(word) : !is_number(word))
-      fail(path, number,
+      fail_line(path, number,
            std::string(face ? "a corner that is not written as 1, 1/2, 1//3 or 1/2/3" : "a word that is not a decimal number") +
                "; correct it");
-    words++;
-    begin = line.find_first_not_of(blanks, end);
-  }
-  if (words < (keyword == "vt" ? 1u : 3u))
-    fail(path, number, "fewer than three " + std::string(face ? "corners" : "numbers") + "; complete the line");
+  if (words.size() < (keyword == "vt" ? 1u : 3u))
+    fail_line(path, number, "fewer than three " + std::string(face ? "corners" : "numbers") + "; complete the line");
 }
 
-/* What makes a text no OBJ, or one too large, is found before tinyobjloader builds anything from it. */
-void check_lines(const std::string &path, std::string_view text) {
-  std::size_t faces = 0, number = 0;
-  while (!text.empty()) {
-    number++;
-    const std::string_view line = take_line(text);
-    if (line.size() > max_line_bytes) fail(path, number, "a line of more than 65536 characters; save the model as plain text");
-    for (const char c : line) {
-      const auto byte = static_cast<unsigned char>(c);
-      if ((byte < 0x20 && byte != '\t' && byte != '\r' && byte != '\n') || byte == 0x7f)
-        fail(path, number, "not a text file; save the model as Wavefront OBJ");
-    }
-    const std::string_view keyword = keyword_of(line);
-    if (keyword == "f" && ++faces > max_faces) fail(path, number, "more than 65535 faces; simplify the model");
-    check_words(path, number, keyword, line);
-  }
-}
-
-/* A read-only stream over bytes that stay where they are, so that a large file is there once: only the lines that are
- * used here. Others (vw, t, l, p, ...) would be read by parts of tinyobjloader that trust them. */
+/* A read-only stream over the lines that are used here, each looked at before tinyobjloader sees it; others (vw, t, l, p, ...) would be read by parts of
+ * it that trust them. What is wrong is kept and ends the stream, as streams swallow exceptions. */
 class UsedLines : public std::streambuf {
 public:
-  explicit UsedLines(std::string_view text) : rest_(text) {}
+  UsedLines(const std::string &path, TextLines &lines) : path_(path), lines_(lines) {}
+
+  void throw_if_wrong() const {
+    if (wrong_) std::rethrow_exception(wrong_);
+  }
 
 protected:
   int_type underflow() override {
-    while (!rest_.empty()) {
-      const std::string_view line = take_line(rest_);
-      const std::string_view keyword = keyword_of(line);
-      for (const char *const used : {"v", "vn", "vt", "f", "o", "g", "usemtl", "mtllib"}) {
-        if (keyword != used) continue;
-        char *const begin = const_cast<char *>(line.data()); /* only read from */
-        setg(begin, begin, begin + line.size());
-        return traits_type::to_int_type(*begin);
+    try {
+      std::string_view line;
+      while (!wrong_ && lines_.next(line)) {
+        number_++;
+        check_line(path_, number_, line);
+        const std::string_view keyword = keyword_of(line);
+        if (keyword == "f" && ++faces_ > max_faces) fail_line(path_, number_, "more than 65535 faces; simplify the model");
+        check_words(path_, number_, keyword, line);
+        for (const char *const used : {"v", "vn", "vt", "f", "o", "g", "usemtl", "mtllib"}) {
+          if (keyword != used) continue;
+          char *const begin = const_cast<char *>(line.data()); /* only read from */
+          setg(begin, begin, begin + line.size());
+          return traits_type::to_int_type(*begin);
+        }
       }
+    } catch (const UserError &) {
+      wrong_ = std::current_exception();
     }
     return traits_type::eof();
   }
 
 private:
-  std::string_view rest_;
+  const std::string &path_;
+  TextLines &lines_;
+  std::size_t number_ = 0, faces_ = 0;
+  std::exception_ptr wrong_;
 };
 
 /* Materials from beside the model; what is missing is told, and grey. */
@@ -173,21 +118,38 @@ public:
   bool operator()(const std::string &name, std::vector<tinyobj::material_t> *materials, std::map<std::string, int> *index, std::string *,
                   std::string *) override {
     const std::string path = (std::filesystem::path(directory_) / name).string();
-    std::ifstream file;
     std::error_code ignored;
-    if (!directory_.empty() && std::filesystem::is_regular_file(path, ignored)) file.open(path);
-    if (!file.is_open()) {
-      warnings_.push_back("cannot open the material file " + name + "; its materials are grey");
+    if (directory_.empty() || !std::filesystem::is_regular_file(path, ignored)) {
+      warnings_.push_back("cannot open the material file " + printable(name) + "; its materials are grey");
       return false;
     }
-    std::string warning, error;
-    tinyobj::LoadMtl(index, materials, &file, &warning, &error);
+    try {
+      TextLines lines(path, LineEnd::any);
+      textured_ = read_materials(path, lines, *materials, *index) || textured_;
+    } catch (const UserError &) {
+      wrong_ = std::current_exception();
+      return false;
+    }
     return true;
   }
 
+  bool textured() const { return textured_; }
+
+  void throw_if_wrong() const {
+    if (wrong_) std::rethrow_exception(wrong_);
+  }
+
 private:
+  static std::string printable(std::string name) {
+    for (char &c : name)
+      if (c < ' ' || c > '~') c = '?';
+    return name;
+  }
+
   std::string directory_;
   std::vector<std::string> &warnings_;
+  bool textured_ = false;
+  std::exception_ptr wrong_;
 };
 
 /* The shortest decimals that read back as this double. */
@@ -288,10 +250,7 @@ private:
   std::size_t face_ = 0;
 };
 
-} // namespace
-
-SceneFile read_obj_text(const std::string &name, std::string_view text, const std::string &material_directory) {
-  check_lines(name, text);
+SceneFile read_obj_lines(const std::string &name, TextLines &text, const std::string &material_directory) {
   SceneFile scene;
   scene.path = name;
   Materials reader(material_directory, scene.warnings);
@@ -299,9 +258,12 @@ SceneFile read_obj_text(const std::string &name, std::string_view text, const st
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;
   std::string warning, error;
-  UsedLines lines(text);
+  UsedLines lines(name, text);
   std::istream stream(&lines);
-  if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, &reader, false, false)) {
+  const bool loaded = tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, &reader, false, false);
+  lines.throw_if_wrong();
+  reader.throw_if_wrong();
+  if (!loaded) {
     std::replace(error.begin(), error.end(), '\n', ' ');
     fail(name, "not a readable OBJ: " + error + "; save the model again");
   }
@@ -310,15 +272,21 @@ SceneFile read_obj_text(const std::string &name, std::string_view text, const st
   if (shapes.size() > 65535) fail(name, "more than 65535 groups; merge some");
   for (std::size_t i = 0; i < shapes.size(); i++) converter.add_shape(scene, shapes[i], static_cast<std::uint16_t>(i + 1));
   if (scene.polygons.empty()) fail(name, "no faces; a model needs lines f");
-  const bool textured =
-      std::any_of(materials.begin(), materials.end(), [](const tinyobj::material_t &m) { return !m.diffuse_texname.empty(); });
-  if (textured) scene.warnings.emplace_back("textures are not drawn; their materials show Kd alone");
+  if (reader.textured()) scene.warnings.emplace_back("textures are not drawn; their materials show Kd alone");
   return scene;
+}
+
+} // namespace
+
+SceneFile read_obj_text(const std::string &name, std::string_view text, const std::string &material_directory) {
+  TextLines lines(text, LineEnd::any);
+  return read_obj_lines(name, lines, material_directory);
 }
 
 SceneFile read_obj(const std::string &path) {
   const std::string directory = std::filesystem::path(path).parent_path().string();
-  return read_obj_text(path, load_text(path), directory.empty() ? "." : directory);
+  TextLines lines(path, LineEnd::any);
+  return read_obj_lines(path, lines, directory.empty() ? "." : directory);
 }
 
 } // namespace host

@@ -175,7 +175,9 @@ LoadedScene load_scene(const SceneOptions &options) {
   if (!options.size.empty()) set_size(unread, options.size);
   LoadedScene scene = prepare_scene(options, read_scene(options));
   const MeshCounts &mesh = scene.core.mesh;
-  if (mesh.dropped > 0) scene.file.warnings.push_back(count_text(mesh.dropped, "triangle") + " without area " + (mesh.dropped == 1 ? "was" : "were") + " left out");
+  if (mesh.dropped > 0)
+    scene.file.warnings.push_back(count_text(mesh.dropped, "triangle") + " without area " + (mesh.dropped == 1 ? "was" : "were") +
+                                  " left out");
   if (mesh.non_manifold_edges > 0 && is_obj(options.scene))
     scene.file.warnings.push_back(count_text(mesh.non_manifold_edges, "edge") +
                                   (mesh.non_manifold_edges == 1 ? " is" : " are") + " shared by more than two triangles; the model is no closed surface there");

@@ -167,7 +167,7 @@ def check_model(simulator, directory, report):
     report.check("2 triangles without area were left out" in plain.stderr, f"flat triangles: {plain.stderr}")
     # Three triangles on an edge.
     model.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 2 5\n")
-    report.check("1 edges are shared by more than two" in run(simulator, "render", model).stderr, "a non-manifold edge went unnoticed")
+    report.check("1 edge is shared by more than two" in run(simulator, "render", model).stderr, "a non-manifold edge went unnoticed")
     model.write_text("mtllib nowhere.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     result = run(simulator, "render", model)
     report.check(result.returncode == 0 and "nowhere.mtl" in result.stderr, "a missing material file went unnoticed")

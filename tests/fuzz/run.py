@@ -13,7 +13,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-LONGEST_INPUT = {"nff": 2000, "obj": 2000, "view": 300, "scene": 1024, "strips": 400}
+LONGEST_INPUT = {"nff": 2000, "obj": 2000, "mtl": 500, "view": 300, "options": 300, "scene": 1024, "strips": 400}
 HANG_SECONDS = 20  # sanitizers and a busy machine included
 
 
