@@ -149,13 +149,15 @@ std::string c_shapes(const std::string &name, const CoreScene &core) {
   if (!core.planes.empty()) text += "  FC_PLANES(" + name + "_planes),\n";
   for (std::size_t i = 0; i < core.triangle_tables.size(); i++) {
     const std::string vertices = table_name(name, "vertices", core, i), triangles = table_name(name, "triangles", core, i);
-    const bool closed = core.triangle_tables[i].closed;
-    if (core.normals.empty() && core.uvs.empty())
-      text += std::string(closed ? "  FC_TRIANGLES_CLOSED(" : "  FC_TRIANGLES(") + vertices + ", " + triangles + "),\n";
+    const int cull = core.triangle_tables[i].cull;
+    const std::string attributes = (core.normals.empty() ? "NULL" : table_name(name, "normals", core, i)) + ", " +
+                                   (core.uvs.empty() ? "NULL" : table_name(name, "uvs", core, i));
+    if (cull > 1)
+      text += "  FC_TRIANGLES_CONVEX(" + vertices + ", " + attributes + ", " + triangles + ", " + std::to_string(cull - 2) + "),\n";
+    else if (core.normals.empty() && core.uvs.empty())
+      text += std::string(cull == 1 ? "  FC_TRIANGLES_CLOSED(" : "  FC_TRIANGLES(") + vertices + ", " + triangles + "),\n";
     else
-      text += "  FC_TRIANGLES_WITH(" + vertices + ", " +
-              (core.normals.empty() ? "NULL" : table_name(name, "normals", core, i)) + ", " +
-              (core.uvs.empty() ? "NULL" : table_name(name, "uvs", core, i)) + ", " + triangles + (closed ? ", 1),\n" : ", 0),\n");
+      text += "  FC_TRIANGLES_WITH(" + vertices + ", " + attributes + ", " + triangles + (cull == 1 ? ", 1),\n" : ", 0),\n");
   }
   return text + "};\n\n";
 }

@@ -1,4 +1,4 @@
-/* Closed meshes: edges, parts, volumes, crossings. */
+/* Closed meshes: edges, parts, volumes, crossings; and how far they are convex. */
 #include "closed_mesh.h"
 
 #include <algorithm>
@@ -43,7 +43,63 @@ public:
     return is_outside(eye) && pair_edges() && encloses_volume() && !crosses_itself();
   }
 
+  /* log2 of the margin, floored; -1: below 1, or not convex. The margin is the least of a corner's distance from a face over one more
+   * than the sum of the magnitudes of its barycentric weights there, and of a sixteenth of a face's least height. In long
+   * doubles: within 2^-20 of itself, which is taken off. */
+  int convex_margin() {
+    long double least = std::ldexp(1.0L, 30);
+    std::vector<std::uint16_t> corners;
+    for (const auto &face : faces_)
+      corners.insert(corners.end(), face.begin(), face.end());
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    for (std::size_t f = 0; f < faces_.size() && least >= 1; f++) {
+      if (part_of(f) != part_of(0)) return -1;
+      for (std::uint16_t v : corners)
+        if (std::find(faces_[f].begin(), faces_[f].end(), v) == faces_[f].end())
+          least = std::min(least, margin_below(f, vertices_[v]));
+      least = std::min(least, least_height(f) / 16);
+    }
+    least -= std::ldexp(least, -20);
+    return least < 1 ? -1 : std::ilogb(least);
+  }
+
 private:
+  using Vector = std::array<long double, 3>;
+
+  static Vector difference(const fc_vec3 &a, const fc_vec3 &b) {
+    return {static_cast<long double>(a.x) - b.x, static_cast<long double>(a.y) - b.y, static_cast<long double>(a.z) - b.z};
+  }
+
+  static Vector cross(const Vector &a, const Vector &b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+
+  static long double dot(const Vector &a, const Vector &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+  /* Twice the area over the longest side; 0 without area. */
+  long double least_height(std::size_t face) const {
+    const Vector sides[3] = {difference(corner(face, 1), corner(face, 0)), difference(corner(face, 2), corner(face, 1)),
+                             difference(corner(face, 0), corner(face, 2))};
+    const Vector n = cross(sides[0], sides[1]);
+    long double longest = 1;
+    for (const Vector &side : sides)
+      longest = std::max(longest, dot(side, side));
+    return std::sqrt(dot(n, n) / longest);
+  }
+
+  /* Distance of a corner below a face, over what it takes; below 0 above it. */
+  long double margin_below(std::size_t face, const fc_vec3 &v) const {
+    const Wide below = -orient(corner(face, 0), corner(face, 1), corner(face, 2), v);
+    if (below <= 0) return -1;
+    const Vector ab = difference(corner(face, 1), corner(face, 0)), ac = difference(corner(face, 2), corner(face, 0));
+    const Vector n = cross(ab, ac), av = difference(v, corner(face, 0));
+    const long double square = dot(n, n);
+    const long double second = dot(cross(av, ac), n) / square, third = dot(cross(ab, av), n) / square;
+    const long double weights = std::fabs(1 - second - third) + std::fabs(second) + std::fabs(third);
+    return static_cast<long double>(below) / std::sqrt(square) / (1 + weights);
+  }
+
   const fc_vec3 &corner(std::size_t face, std::size_t i) const { return vertices_[faces_[face][i]]; }
 
   Box box_of(std::size_t face) const {
@@ -148,22 +204,24 @@ private:
 
 } // namespace
 
-std::vector<bool> in_closed_mesh(const std::vector<fc_vec3> &vertices, const std::vector<fc_triangle> &triangles,
-                                 const std::array<long double, 3> &eye) {
+std::vector<std::uint8_t> cull_values(const std::vector<fc_vec3> &vertices, const std::vector<fc_triangle> &triangles,
+                                      const std::array<long double, 3> &eye) {
   std::map<std::uint16_t, std::vector<std::size_t>> objects;
   for (std::size_t i = 0; i < triangles.size(); i++)
     objects[triangles[i].object].push_back(i);
-  std::vector<bool> closed(triangles.size(), false);
+  std::vector<std::uint8_t> cull(triangles.size(), 0);
   for (const auto &[object, members] : objects) {
     if (members.size() < 4) continue;
     std::vector<std::array<std::uint16_t, 3>> faces;
     for (std::size_t i : members)
       faces.push_back({triangles[i].vertex[0], triangles[i].vertex[1], triangles[i].vertex[2]});
-    if (Mesh(vertices, std::move(faces)).is_closed(eye))
-      for (std::size_t i : members)
-        closed[i] = true;
+    Mesh mesh(vertices, std::move(faces));
+    if (!mesh.is_closed(eye)) continue;
+    const int margin = mesh.convex_margin();
+    for (std::size_t i : members)
+      cull[i] = static_cast<std::uint8_t>(margin < 0 ? 1 : 2 + margin);
   }
-  return closed;
+  return cull;
 }
 
 } // namespace host

@@ -97,7 +97,7 @@ SceneFacts scene_facts(const LoadedScene &scene) {
   facts.planes = core.planes.size();
   facts.triangles = core.triangles.size();
   for (const TriangleTable &table : core.triangle_tables)
-    if (table.closed) facts.closed_triangles += table.triangles;
+    if (table.cull != 0) facts.closed_triangles += table.triangles;
   facts.vertices = core.vertices.size();
   facts.materials = core.materials.size();
   facts.lights = core.lights.size();

@@ -399,8 +399,8 @@ private:
     }
   }
 
-  /* Runs of closed meshes and of everything else, in the author's order, each with vertices of its own. A table costs
-   * the core some memory, so a scene that alternates often stays in one. */
+  /* Runs of closed meshes and of everything else, in the author's order, each with vertices of its own; where there is light, a convex
+   * mesh is a run of its own. A table costs the core some memory, so a scene that alternates often has fewer. */
   void split_triangles() {
     constexpr std::size_t most = 16;
     const std::size_t count = out_.triangles.size();
@@ -408,18 +408,27 @@ private:
     const std::array<long double, 3> eye = {std::ldexp(static_cast<long double>(camera.eye.x), camera.exponent),
                                             std::ldexp(static_cast<long double>(camera.eye.y), camera.exponent),
                                             std::ldexp(static_cast<long double>(camera.eye.z), camera.exponent)};
-    std::vector<bool> closed = in_closed_mesh(out_.vertices, out_.triangles, eye);
-    std::size_t runs = 1;
-    for (std::size_t i = 1; i < count; i++)
-      runs += closed[i] != closed[i - 1];
-    if (runs > most) closed.assign(count, false);
+    std::vector<std::uint8_t> cull = cull_values(out_.vertices, out_.triangles, eye);
+    const auto begins_run = [&](std::size_t i) {
+      return i == 0 || cull[i] != cull[i - 1] || (cull[i] > 1 && out_.triangles[i].object != out_.triangles[i - 1].object);
+    };
+    const auto too_many_runs = [&] {
+      std::size_t runs = 0;
+      for (std::size_t i = 0; i < count; i++)
+        runs += begins_run(i);
+      return runs > most;
+    };
+    if (file_.lights.empty() || too_many_runs())
+      for (std::uint8_t &value : cull)
+        value = std::min<std::uint8_t>(value, 1);
+    if (too_many_runs()) cull.assign(count, 0);
     std::vector<fc_vec3> vertices;
     std::vector<fc_normal> normals;
     std::vector<fc_uv> uvs;
     std::map<std::uint16_t, std::uint16_t> renamed;
     for (std::size_t i = 0; i < count; i++) {
-      if (i == 0 || closed[i] != closed[i - 1]) {
-        out_.triangle_tables.push_back({i, 0, vertices.size(), 0, closed[i]});
+      if (begins_run(i)) {
+        out_.triangle_tables.push_back({i, 0, vertices.size(), 0, cull[i]});
         renamed.clear();
       }
       TriangleTable &table = out_.triangle_tables.back();
@@ -451,11 +460,12 @@ private:
     add_table(&fc_kind_sphere, out_.spheres);
     add_table(&fc_kind_plane, out_.planes);
     for (const TriangleTable &table : out_.triangle_tables)
-      out_.shapes.push_back({&fc_kind_triangle, out_.triangles.data() + table.triangle, out_.vertices.data() + table.vertex,
+      out_.shapes.push_back({table.cull > 1 ? &fc_kind_convex : &fc_kind_triangle, out_.triangles.data() + table.triangle,
+                             out_.vertices.data() + table.vertex,
                              static_cast<std::uint16_t>(table.triangles), static_cast<std::uint16_t>(table.vertices),
                              out_.normals.empty() ? nullptr : out_.normals.data() + table.vertex,
                              out_.uvs.empty() ? nullptr : out_.uvs.data() + table.vertex,
-                             static_cast<std::uint8_t>(table.closed)});
+                             table.cull});
     fc_scene &scene = out_.scene;
     scene.shapes = out_.shapes.data();
     scene.shape_count = static_cast<std::uint16_t>(out_.shapes.size());

@@ -8,6 +8,7 @@
 #ifndef FIXCAST_HOST_TO_CORE_H
 #define FIXCAST_HOST_TO_CORE_H
 
+#include <cstdint>
 #include <string>
 #include <memory>
 #include <vector>
@@ -20,7 +21,7 @@ namespace host {
 /* A run of triangles, and the vertices they index, counted from the run's first. */
 struct TriangleTable {
   std::size_t triangle = 0, triangles = 0, vertex = 0, vertices = 0;
-  bool closed = false; /* its back faces need not be drawn (closed_mesh.h) */
+  std::uint8_t cull = 0; /* of its fc_shapes (closed_mesh.h) */
 };
 
 /* A material's layers and all that they point to; stays where it is. */

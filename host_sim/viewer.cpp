@@ -29,8 +29,8 @@ Viewer::Viewer(LoadedScene scene, const fc_panel *panel)
   const std::size_t first = core.shapes.size() - core.triangle_tables.size();
   for (std::size_t i = 0; i < core.triangle_tables.size(); i++) {
     const TriangleTable &table = core.triangle_tables[i];
-    if (!table.closed) continue;
-    Box box{first + i, {INT32_MAX, INT32_MAX, INT32_MAX}, {INT32_MIN, INT32_MIN, INT32_MIN}};
+    if (table.cull == 0) continue;
+    Box box{first + i, {INT32_MAX, INT32_MAX, INT32_MAX}, {INT32_MIN, INT32_MIN, INT32_MIN}, table.cull};
     for (std::size_t v = table.vertex; v < table.vertex + table.vertices; v++) {
       const std::array<std::int64_t, 3> at = {core.vertices[v].x, core.vertices[v].y, core.vertices[v].z};
       for (std::size_t k = 0; k < 3; k++) box.low[k] = std::min(box.low[k], at[k]), box.high[k] = std::max(box.high[k], at[k]);
@@ -62,7 +62,7 @@ void Viewer::guard_back_faces() {
       const double at = std::ldexp(eye[k], camera.exponent);
       outside = outside || at < static_cast<double>(box.low[k]) - 1 || at > static_cast<double>(box.high[k]) + 1;
     }
-    scene_.core.shapes[box.shape].cull = outside ? 1 : 0;
+    scene_.core.shapes[box.shape].cull = outside ? box.cull : 0;
   }
 }
 

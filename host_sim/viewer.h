@@ -43,6 +43,7 @@ private:
   struct Box {
     std::size_t shape;
     std::array<std::int64_t, 3> low, high;
+    std::uint8_t cull; /* as long as the eye is outside */
   };
 
   void guard_back_faces();

@@ -8,6 +8,7 @@ and no number has more than 12 decimals.
 """
 import math
 import os
+import re
 import sys
 from fractions import Fraction
 
@@ -269,6 +270,32 @@ def s1b():
     return lines + LEVEL_CAMERA + bench_light() + bench_spheres()[:2 * len(SPHERES)]
 
 
+def s1p():
+    """S1 with Phong's highlight on everything: what that adds to a lit pixel."""
+    lines = header("S1P: S1, all of it shining.")
+    shining = [re.sub(r"^(f .*) 1 0 0 0 1$", r"\1 1 0.4 32 0 1", line) for line in bench_rest()]
+    return lines + LEVEL_CAMERA + shining
+
+
+def s1rt():
+    """S1r with an image on its plane: what that adds to a lit pixel of the plane."""
+    lines = header("S1RT: S1r, its plane with a bilinear image, a unit a tile.")
+    rest = bench_rest()
+    rest[-2:] = ["f 1 1 1 1 0 1 0 1", "#fc: image tiles.ppm bilinear planar 0 0 0 1 0 0 0 0 1", rest[-1]]
+    return lines + camera("0.75 2 1.5", "0 0.75 -4", "0.17 0.98 0", "0.466", 128) + rest
+
+
+def balls(smooth):
+    """S1's spheres as 80 triangles each, without a ground, flat or with a normal a vertex: what that adds to a lit pixel."""
+    lines = header("Three balls of 80 triangles, " + ("smooth." if smooth else "flat.")) + LEVEL_CAMERA + bench_light()
+    for index, (center, radius, colour) in enumerate(SPHERES):
+        lines += [f"#fc: object {index + 1}", matte(rgb(*colour))]
+        for face in icosphere(1):
+            points = [tuple(m + radius * x for m, x in zip(center, corner)) for corner in face]
+            lines += ["pp 3"] + [join(point + normal) for point, normal in zip(points, face)] if smooth else plain_face(points)
+    return lines
+
+
 def s4():
     lines = header("S4: S2's 1016 triangles under S1's light, with hard shadows.")
     lines += LEVEL_CAMERA + bench_light()
@@ -337,7 +364,7 @@ def s5_culled(cells):
 
 def bench_only():
     """{name: lines} of the scenes for tests/bench; of S5: spheres, triangles: lit, flat, culled."""
-    scenes = {"s1b": s1b(), "s4": s4()}
+    scenes = {"s1b": s1b(), "s4": s4(), "s1p": s1p(), "s1rt": s1rt(), "balls": balls(False), "balls_smooth": balls(True)}
     scenes.update((f"s5s{count}", s5_spheres(count)) for count in (1, 8, 64, 512))
     for cells in (5, 10, 21, 45):
         scenes[f"s5t{cells}"] = s5_field(cells, lit=True)
@@ -450,7 +477,7 @@ def main():
     for name, lines in scenes.items():
         with open(os.path.join(directory, name + ".nff"), "w", encoding="ascii", newline="\n") as file:
             file.write("\n".join(lines) + "\n")
-    for name, image in ({} if bench else IMAGES).items():
+    for name, image in ({"tiles": IMAGES["tiles"]} if bench else IMAGES).items():
         with open(os.path.join(directory, name + ".ppm"), "wb") as file:
             file.write(image())
 

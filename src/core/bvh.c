@@ -409,15 +409,19 @@ static FC_COLD bool each_once(const fc_bvh *bvh) {
 static FC_COLD bool leaf_holds(const fc_bvh *bvh, const fc_space *space, uint32_t leaf, fc_cursor *at) {
   fc_bvh_node copy;
   const fc_bvh_node *node = node_at(bvh, fc_bvh_leaves(bvh) + leaf, &copy);
-  int64_t box_low[3], box_high[3], origin[3];
+  int32_t box_low[3], box_high[3];
+  int64_t origin[3];
   uint16_t i, end = fc_bvh_share(bvh, leaf + 1, bvh->depth);
   uint8_t j;
   origin[0] = bvh->origin.x;
   origin[1] = bvh->origin.y;
   origin[2] = bvh->origin.z;
   for (j = 0; j < 3; j++) {
-    box_low[j] = origin[j] + ((int64_t)fc_bvh_low(node->axis[j]) << bvh->shift);
-    box_high[j] = origin[j] + ((int64_t)fc_bvh_high(node->axis[j]) << bvh->shift);
+    /* what is in it is below 2^31 */
+    const int64_t from = origin[j] + ((int64_t)fc_bvh_low(node->axis[j]) << bvh->shift);
+    const int64_t to = origin[j] + ((int64_t)fc_bvh_high(node->axis[j]) << bvh->shift);
+    box_low[j] = from < -INT32_MAX ? -INT32_MAX : from > INT32_MAX ? INT32_MAX : (int32_t)from;
+    box_high[j] = to < -INT32_MAX ? -INT32_MAX : to > INT32_MAX ? INT32_MAX : (int32_t)to;
   }
   for (i = fc_bvh_share(bvh, leaf, bvh->depth); i < end; i++) {
     uint16_t primitive = read_order(bvh, i), index = (uint16_t)(primitive - at->group.first);
@@ -425,7 +429,7 @@ static FC_COLD bool leaf_holds(const fc_bvh *bvh, const fc_space *space, uint32_
     if (index >= at->group.shapes.count && !fc_cursor_find(at, space, primitive, &index)) return false;
     if (!fc_bvh_bounds(at, index, low, high)) return false;
     for (j = 0; j < 3; j++)
-      if (low[j] < box_low[j] || high[j] > box_high[j]) return false;
+      if ((int32_t)low[j] < box_low[j] || (int32_t)high[j] > box_high[j]) return false;
   }
   return true;
 }

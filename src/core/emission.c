@@ -19,4 +19,4 @@ static FC_COLD void surface(fc_shading *shading, const void *data) {
   for (i = 0; i < 3; i++) shading->added[i] += (uint64_t)own[i] << (24 + emission.exponent);
 }
 
-const fc_layer_kind fc_layer_emission FC_ROM = {check, surface, NULL, NULL};
+const fc_layer_kind fc_layer_emission FC_ROM = {check, surface, NULL, NULL, NULL};

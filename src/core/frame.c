@@ -167,6 +167,15 @@ static FC_COLD void project_shapes(const fc_frame *frame) {
     fc_kind_of(&cursor)->project(frame, &cursor.group.shapes, (unsigned char *)frame->memory + cursor.bytes);
 }
 
+/* What they know of each other's shadows. */
+static FC_COLD void settle_shapes(const fc_frame *frame) {
+  fc_space space = fc_space_of_frame(frame);
+  fc_cursor cursor;
+  fc_cursor_start(&cursor, &space);
+  while (fc_cursor_next(&cursor))
+    if (fc_kind_of(&cursor)->settle != NULL) fc_kind_of(&cursor)->settle(frame, &cursor.group);
+}
+
 /* Steps twice as long over half as many pixels: directions stay as large as they are. */
 static FC_COLD void halve(fc_frame *frame) {
   frame->odd = (uint8_t)((frame->width & 1) | (frame->height & 1) << 1);
@@ -233,5 +242,6 @@ FC_COLD int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_came
     fc_search_mark(&space, casters);
     frame->casters = casters;
   }
+  if (frame->light == FC_LIGHT_ONE) settle_shapes(frame);
   return FC_OK;
 }

@@ -125,6 +125,11 @@ struct fc_kind {
   void (*bounds)(const fc_form *form, int64_t low[3], int64_t high[3]);
   /* Whether an item may keep the frame's only light from anything; NULL: all may. */
   bool (*casts)(const fc_group *group, uint16_t index);
+  /* Clears the mask of a planar receiver where the table keeps its light away as a whole: items of such a table do not cast. NULL:
+   * no table does. */
+  void (*cast)(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_group *group);
+  /* After every table is projected, under an only light: what the table need not be asked about in strips; or NULL. */
+  void (*settle)(const fc_frame *frame, const fc_group *group);
 };
 
 #endif

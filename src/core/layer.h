@@ -39,6 +39,8 @@ struct fc_layer_kind {
   void (*light)(fc_shading *shading, const void *data);
   /* After the lights, for a point that the eye sees; NULL. Points seen in mirrors are shaded without. */
   void (*follow)(fc_shading *shading, const void *data);
+  /* Its fast forms (coat.h); NULL: such materials are shaded by rays. */
+  const struct fc_coat_layer *coat;
 };
 
 /* The mask of lights that reach a completed surface, as fc_shade tells it. */

@@ -45,4 +45,27 @@ static FC_COLD void locate(const fc_shading *shading, const fc_mapping *mapping,
   uv_q24[1] = along(view, offset, far, &mapping->v, mapping->exponent);
 }
 
-const fc_mapping_kind fc_mapping_planar FC_ROM = {check, locate};
+/* (P - origin).u / u.u with P = k D / (n.D) is D.(k u - n (origin.u)) / (n.D) / u.u. */
+static FC_COLD bool forms(const fc_coat *coat, const fc_mapping *mapping, fc_mapping_forms *of) {
+  const fc_view *view = &coat->scan->frame->view;
+  const fc_planar *planar = coat->planar;
+  int64_t origin[3];
+  uint8_t i, j;
+  if (!fc_view_point(view, &mapping->origin, mapping->exponent, origin) || fc_vector_bits(origin) > 30) return false;
+  for (j = 0; j < 3; j++) of->n[j] = planar->normal[j] * (INT64_C(1) << 32); /* 30 + 32 bits */
+  for (i = 0; i < 2; i++) {
+    int64_t world[3], axis[3], dot;
+    uint8_t shift;
+    (void)fc_load(i == 0 ? &mapping->u : &mapping->v, world);
+    fc_view_turn(view, world, axis);
+    shift = fc_shrink(axis, axis);
+    dot = fc_dot(origin, axis); /* 30 + 30 bits, three of them */
+    for (j = 0; j < 3; j++) of->m[i][j] = fc_smul64hi(planar->k, (int32_t)axis[j]) - fc_smul64hi(dot, (int32_t)planar->normal[j]);
+    /* as `along`; m is in 2^32 and n in 2^-32 */
+    of->scale[i] = fc_quick_recip(fc_quick_from((uint64_t)fc_dot(world, world), 0));
+    of->scale[i] = fc_quick_scale(of->scale[i], (int16_t)(view->shift - view->fine + shift - mapping->exponent - 30 + 64));
+  }
+  return true;
+}
+
+const fc_mapping_kind fc_mapping_planar FC_ROM = {check, locate, forms};

@@ -61,4 +61,4 @@ static FC_COLD void locate(const fc_shading *shading, const fc_mapping *mapping,
   uv_q24[1] = (INT64_C(1) << 23) - fc_floor_shift64(angle_of(flat, (int32_t)world[1], &unused), 7);
 }
 
-const fc_mapping_kind fc_mapping_spherical FC_ROM = {check, locate};
+const fc_mapping_kind fc_mapping_spherical FC_ROM = {check, locate, NULL};

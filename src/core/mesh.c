@@ -30,11 +30,7 @@ uint32_t fc_recip_q63(uint32_t m) {
   return r + rest_high;
 }
 
-size_t fc_mesh_memory(const fc_shapes *shapes) {
-  size_t bytes = sizeof(fc_placed_mesh) + (size_t)shapes->vertex_count * sizeof(fc_placed_vertex) +
-                 (size_t)shapes->count * sizeof(uint16_t) + ((size_t)shapes->count + 7) / 8;
-  return (bytes + 7) / 8 * 8;
-}
+size_t fc_mesh_memory(const fc_shapes *shapes) { return (fc_mesh_bytes(shapes) + 7) / 8 * 8; }
 
 /* v as m / 2^down with m in 2^31 .. 2^32-1. */
 static uint32_t split(fc_num v, int32_t *down) {
@@ -183,22 +179,24 @@ bool fc_triangle_casts(const fc_group *group, uint16_t index) {
   return fc_mesh_casts(group->memory, &group->shapes)[index / 8] >> (index % 8) & 1;
 }
 
-/* Who casts shadows: of a closed mesh, the triangles that turn away from the light. */
-static void set_casts(const fc_frame *frame, const fc_shapes *shapes, const fc_placed_vertex *vertices, uint8_t *casts) {
+void fc_mesh_set_casts(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
+  const fc_placed_vertex *vertices = fc_mesh_vertices(memory);
+  uint8_t *casts = (uint8_t *)memory + (fc_mesh_casts(memory, shapes) - (const uint8_t *)memory);
   uint16_t i;
+  if (frame->light != FC_LIGHT_ONE) return;
   for (i = 0; i < shapes->count; i++) {
     bool may = true;
     if (i % 8 == 0) casts[i / 8] = 0;
     if (shapes->cull) {
       fc_triangle t;
       fc_read_triangle(shapes, i, &t);
-      may = fc_triangle_averted(vertices[t.vertex[0]].p, vertices[t.vertex[1]].p, vertices[t.vertex[2]].p, frame->lights);
+may = fc_triangle_turn(vertices[t.vertex[0]].p, vertices[t.vertex[1]].p, vertices[t.vertex[2]].p, frame->lights) <= 0;
     }
     if (may) casts[i / 8] = (uint8_t)(casts[i / 8] | 1u << (i % 8));
   }
 }
 
-void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
+void fc_mesh_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
   fc_placed_mesh *mesh = memory;
   fc_placed_vertex *vertices = (fc_placed_vertex *)(void *)(mesh + 1);
   uint16_t *next = (uint16_t *)(void *)(vertices + shapes->vertex_count), i;
@@ -247,7 +245,11 @@ void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *m
     *head = i;
   }
   for (i = 0; i < shapes->vertex_count; i++) see_fully(mesh, &vertices[i]);
-  if (frame->light == FC_LIGHT_ONE) set_casts(frame, shapes, vertices, (uint8_t *)(void *)(next + shapes->count));
+}
+
+void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *memory) {
+  fc_mesh_project(frame, shapes, memory);
+  fc_mesh_set_casts(frame, shapes, memory);
 }
 
 void fc_bin_start(fc_bin_walk *walk, const fc_group *group, uint16_t y0, uint16_t y1) {

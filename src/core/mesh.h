@@ -85,6 +85,13 @@ static inline const uint8_t *fc_mesh_casts(const fc_placed_mesh *mesh, const fc_
   return (const uint8_t *)(const void *)(fc_mesh_next(mesh, shapes) + shapes->count);
 }
 
+/* Where those end; a convex mesh keeps its outline after them (outline.h). */
+static inline size_t fc_mesh_bytes(const fc_shapes *shapes) {
+  const size_t bytes = sizeof(fc_placed_mesh) + (size_t)shapes->vertex_count * sizeof(fc_placed_vertex) +
+                       (size_t)shapes->count * sizeof(uint16_t) + ((size_t)shapes->count + 7) / 8;
+  return (bytes + 3) / 4 * 4;
+}
+
 static inline uint8_t fc_mesh_level(uint8_t level) { return (uint8_t)(64 - (64 >> level)); }
 
 /* Mantissa and exponent of a vertex's `seen`. */
@@ -95,6 +102,12 @@ static inline uint8_t fc_seen_exponent(uint32_t seen) { return (uint8_t)(seen & 
 uint32_t fc_recip_q63(uint32_t m);
 
 size_t fc_mesh_memory(const fc_shapes *shapes);
+
+/* Fills a placed mesh, all but the casting bits. */
+void fc_mesh_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
+
+/* Under an only light, who casts shadows: of a closed mesh, the triangles that turn away from the light, or may. */
+void fc_mesh_set_casts(const fc_frame *frame, const fc_shapes *shapes, void *memory);
 
 /* The strip's items in a table, bin by bin: start, then call until it says FC_BIN_END. */
 typedef struct fc_bin_walk {

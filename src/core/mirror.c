@@ -1,4 +1,5 @@
 /* The layer of perfect mirrors: a path of rays, one after the other. */
+#include "coat.h"
 #include "fixcast/error.h"
 #include "fixcast/reflect.h"
 #include "layer.h"
@@ -162,4 +163,4 @@ static FC_COLD void follow(fc_shading *first, const void *data) {
   }
 }
 
-const fc_layer_kind fc_layer_mirror FC_ROM = {check, NULL, NULL, follow};
+const fc_layer_kind fc_layer_mirror FC_ROM = {check, NULL, NULL, follow, &fc_coat_layer_mirror};

@@ -1,4 +1,5 @@
 /* The layer of Phong's highlight. */
+#include "coat.h"
 #include "fixcast/error.h"
 #include "layer.h"
 #include "segment.h"
@@ -61,4 +62,4 @@ static FC_COLD void light(fc_shading *shading, const void *data) {
   }
 }
 
-const fc_layer_kind fc_layer_phong FC_ROM = {check, NULL, light, NULL};
+const fc_layer_kind fc_layer_phong FC_ROM = {check, NULL, light, NULL, &fc_coat_layer_phong};

@@ -2,13 +2,9 @@
 #include "planar.h"
 
 #include "bits.h"
+#include "coat.h"
 #include "search.h"
 #include "tally.h"
-
-/* The cosine's numerator (k - n.L) (n.D) / |n| in the unit of W: affine too. */
-typedef struct cosine {
-  int32_t at, dx, dy;
-} cosine;
 
 /* 1 / |n|, and n / |n| in Q30. */
 static fc_quick normalise(const int64_t n[3], int32_t unit[3]) {
@@ -31,7 +27,7 @@ static uint64_t reach_of(int64_t at, int64_t dx, int64_t dy, const fc_scan *scan
 }
 
 /* W and the cosine's numerator over the tile; false when W is so small that its cuts would tell. */
-static FC_COLD bool set_forms(const fc_scan *scan, fc_planar *planar, cosine *g) {
+static FC_COLD bool set_forms(const fc_scan *scan, fc_planar *planar, fc_cosine *g) {
   const int64_t *n = planar->normal, *light = scan->frame->lights;
   /* the direction, its steps, and their products with n, for W's three forms */
   int64_t d[3][3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, step, nd[3], form[3][3];
@@ -162,14 +158,14 @@ FC_COLD void fc_planar_ask(fc_scan *scan, const fc_kind *kind, const fc_form *oc
 /* What a tile of a planar receiver is lit in. */
 typedef struct planar_work {
   fc_planar planar;
-  cosine g;
+  fc_cosine g;
   fc_form occluder;
   fc_reach reach;
   fc_space space;
   int64_t hull[6 * HULL_ROWS];
 } planar_work;
 
-typedef char work_fits[sizeof(planar_work) <= FC_SCAN_WORK * sizeof(int64_t) ? 1 : -1];
+typedef char planar_work_fits[sizeof(planar_work) <= FC_SCAN_WORK * sizeof(int64_t) ? 1 : -1];
 
 static FC_COLD bool cast_one(void *context, const fc_cursor *at, uint16_t index) {
   fc_scan *scan = context;
@@ -226,7 +222,7 @@ static FC_COLD bool find_rectangle(const fc_scan *scan, fc_planar *planar) {
 
 /* The corners of a tile's rectangle on the plane; false where one lies beyond the horizon, or too far away. Lines of pixels are
  * lines on the plane, so hulls are hulls. */
-static FC_COLD bool find_corners(const fc_scan *scan, const fc_planar *planar, int64_t points[12]) {
+static FC_COLD bool find_hull_corners(const fc_scan *scan, const fc_planar *planar, int64_t points[12]) {
   uint8_t i;
   for (i = 0; i < 4; i++)
     if (!foot(scan, planar, i & 1 ? planar->top : planar->bottom, i & 2 ? planar->left : planar->right, points + 3 * i)) return false;
@@ -266,7 +262,7 @@ static FC_COLD void cast_from_tile(fc_scan *scan, planar_work *work) {
   const fc_planar *planar = &work->planar;
   uint16_t row;
   bool far = false;
-  if (find_corners(scan, planar, work->hull)) {
+  if (find_hull_corners(scan, planar, work->hull)) {
     cast_from(scan, work, work->hull, 4, 1); /* corners are rounded */
     return;
   }
@@ -333,56 +329,47 @@ FC_COLD void fc_planar_find_steps(fc_planar *planar) {
   planar->steps_known = true;
 }
 
+/* Tables that cast as a whole. */
+static FC_COLD void cast_tables(fc_scan *scan, fc_planar *planar) {
+  const fc_space space = fc_space_of_frame(scan->frame);
+  fc_cursor at;
+  fc_cursor_start(&at, &space);
+  while (fc_cursor_next(&at))
+    if (fc_kind_of(&at)->cast != NULL) fc_kind_of(&at)->cast(scan, planar, fc_kind_of(&at), &at.group);
+}
+
 /* Candidates for occluders, each asked to darken what it can. */
 static void cast_shadows(fc_scan *scan, planar_work *work, const int64_t *hull, uint8_t corners) {
   const bool sieve = scan->frame->scene.bvh != NULL;
   fc_planar *planar = &work->planar;
-  if (!find_rectangle(scan, planar)) return;
+  if (scan->clear || !find_rectangle(scan, planar)) return;
   planar->corners_known = planar->edges_known = planar->steps_known = false;
+  cast_tables(scan, planar);
   if (corners == 0 && sieve)
     cast_from_tile(scan, work);
   else if (!sieve || scan->columns * scan->rows < SMALL_TILE || !cast_from_part(scan, work))
     cast_from(scan, work, hull, corners, 1);
 }
 
-/* What cosines need of a row: W.W / 2^30 and its differences, and the numerator. */
-typedef struct cosine_row {
-  uint32_t q, dq, ddq;
-  int32_t g;
-} cosine_row;
-
-/* W.W and its differences at the first column of a row, exact: components below 2^30, so sums of three products below 2^62 in the
- * tile; what wraps is not looked at there. */
-typedef struct square_form {
-  uint64_t at, dx, dxx; /* value, difference to the next column, its difference */
-  uint64_t dy, dyy, dxy;
-} square_form;
-
-static FC_COLD uint64_t dot32(const int32_t a[3], const int32_t b[3]) {
+FC_COLD uint64_t fc_dot32(const int32_t a[3], const int32_t b[3]) {
   uint64_t sum = 0;
   uint8_t i;
   for (i = 0; i < 3; i++)
-    if (b[i] != 0) sum += (uint64_t)fc_smul32(a[i], b[i]);
+    if (a[i] != 0 && b[i] != 0) sum += (uint64_t)fc_smul32(a[i], b[i]);
   return sum;
 }
 
-static void set_square(const fc_sheaf *w, square_form *s) {
-  uint64_t xx = dot32(w->dx, w->dx), yy = dot32(w->dy, w->dy);
-  s->at = dot32(w->at, w->at);
-  s->dx = 2 * dot32(w->at, w->dx) + xx;
-  s->dy = 2 * dot32(w->at, w->dy) + yy;
+static void set_square(const fc_sheaf *w, fc_square *s) {
+  uint64_t xx = fc_dot32(w->dx, w->dx), yy = fc_dot32(w->dy, w->dy);
+  s->at = fc_dot32(w->at, w->at);
+  s->dx = 2 * fc_dot32(w->at, w->dx) + xx;
+  s->dy = 2 * fc_dot32(w->at, w->dy) + yy;
   s->dxx = 2 * xx;
   s->dyy = 2 * yy;
-  s->dxy = 2 * dot32(w->dx, w->dy);
+  s->dxy = 2 * fc_dot32(w->dx, w->dy);
 }
 
-static inline void next_row(square_form *s) {
-  s->at += s->dy;
-  s->dy += s->dyy;
-  s->dx += s->dxy;
-}
-
-static FC_NOINLINE void start_row(const square_form *s, const cosine *g, uint16_t row, uint16_t column, cosine_row *r) {
+FC_NOINLINE void fc_cosine_start(const fc_square *s, const fc_cosine *g, uint16_t row, uint16_t column, fc_cosine_row *r) {
   /* q below 2^32; over 128 columns the rounded differences add up to an error below 2^14 */
   uint64_t at = s->at, dx = s->dx;
   if (column != 0) {
@@ -395,26 +382,12 @@ static FC_NOINLINE void start_row(const square_form *s, const cosine *g, uint16_
   r->g = g->at + column * g->dx + row * g->dy;
 }
 
-/* The cosine in Q16 where W.W / 2^30 is q and the numerator is g. */
-static inline uint32_t cosine_of(uint32_t q, int32_t g) {
-  uint32_t down = 14;
-  uint32_t c;
-  if (g <= 0 || q < 16) return 0;
-  while (q < UINT32_C(1) << 30) {
-    q <<= 2;
-    down--;
-  }
-  /* g below 2^(down + 17) sqrt(q / 2^32) and little more, as |W.n| <= |W|: the product is about 2^31 at most */
-  c = (((uint32_t)g >> (down + 1)) * fc_rsqrt_q15(q)) >> 15;
-  return c > 65536 ? 65536 : c;
-}
-
 /* Lights the pixels in `bits` from where the forms stand. */
-static FC_HOT void shade_run(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
+static FC_HOT void shade_run(const fc_tint *restrict tint, fc_cosine_row *restrict r, int32_t dg, uint8_t count,
                                   uint32_t bits, uint8_t *restrict to,
                                   uint8_t pixel_bytes) {
   for (; count != 0; count--, bits >>= 1, to += pixel_bytes) {
-    if (bits & 1) fc_tint_put(tint, cosine_of(r->q, r->g), to);
+    if (bits & 1) fc_tint_put(tint, fc_cosine_of(r->q, r->g), to);
     r->q += r->dq;
     r->dq += r->ddq;
     r->g += dg;
@@ -448,11 +421,11 @@ static inline void put_levels(uint32_t rb, uint32_t g, uint8_t *to) {
 
 /* Red and blue are cut to 2^-11 at a chord's ends and so are their steps, downwards: at most 17 2^-11 of a level off in all, and
  * never above both ends; never below 0, as the rounding half is in them. */
-static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restrict r, int32_t dg, uint8_t count,
+static FC_HOT void shade_chords(const fc_tint *restrict tint, fc_cosine_row *restrict r, int32_t dg, uint8_t count,
                                 uint32_t bits, uint8_t *restrict to, uint8_t s) {
   /* s steps at once: q by m dq + m (m - 1) / 2 ddq */
   const uint32_t q_bend = (r->ddq << (2 * s - 1)) - (r->ddq << (s - 1)), chunk = (UINT32_C(1) << (1 << s)) - 1;
-  chord_ends end = levels_at(tint, cosine_of(r->q, r->g));
+  chord_ends end = levels_at(tint, fc_cosine_of(r->q, r->g));
   while (count != 0) {
     uint32_t rb = end.rb, g = end.g, d_rb, d_g, some = bits & chunk;
     uint8_t *at = to;
@@ -464,7 +437,7 @@ static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restri
     r->q += (r->dq << s) + q_bend;
     r->dq += r->ddq << s;
     r->g += dg * (INT32_C(1) << s);
-    end = levels_at(tint, cosine_of(r->q, r->g));
+    end = levels_at(tint, fc_cosine_of(r->q, r->g));
     /* differences of levels below 2^29 and 2^16 */
     d_g = (uint32_t)fc_floor_shift32(fc_to_i32(end.g - g), s);
     d_rb = ((uint32_t)fc_floor_shift32((int32_t)(end.rb >> 16) - (int32_t)(rb >> 16), s) << 16) +
@@ -493,7 +466,7 @@ static FC_HOT void shade_chords(const fc_tint *restrict tint, cosine_row *restri
 
 /* The least q of the columns from where the forms stand to n on: q is a parabola, so it falls by n |dq| / 2 at most where it
  * rises again at the end, and by what its differences add up to where it does not. */
-static uint32_t least_square(const cosine_row *r, uint8_t n) {
+uint32_t fc_cosine_least(const fc_cosine_row *r, uint8_t n) {
   uint32_t fall = 0u - r->dq;
   uint64_t drop; /* below 2^38 */
   if (fc_to_i32(r->dq) >= 0) return r->q;
@@ -512,15 +485,15 @@ static uint8_t chord_of(uint32_t least, uint32_t ddq) {
   return least >> 12 >= bend ? 4 : least >> 10 >= bend ? 3 : least >> 8 >= bend ? 2 : least >> 6 >= bend ? 1 : 0;
 }
 
-static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g) {
+FC_HOT void fc_planar_colour(fc_scan *scan, const fc_planar *planar, const fc_cosine *g) {
   /* chords twice as long are off four times as far: 2^-6 of a cosine, four levels in 255 */
   const uint8_t fast = fc_scan_guesses(scan);
-  square_form square;
+  fc_square square;
   uint16_t row;
   uint8_t word;
   set_square(&planar->w, &square);
-  for (row = 0; row <= scan->last_row; row++, next_row(&square)) {
-    cosine_row forms = {0, 0, 0, 0};
+  for (row = 0; row <= scan->last_row; row++, fc_square_next_row(&square)) {
+    fc_cosine_row forms = {0, 0, 0, 0};
     uint16_t next = UINT16_MAX, column = 0; /* the column that the forms stand at */
     if (row < scan->first_row) continue;
     for (word = 0; word < scan->words; word++, column = (uint16_t)(column + 32)) {
@@ -536,10 +509,10 @@ static FC_HOT void shade(fc_scan *scan, const fc_planar *planar, const cosine *g
       count = (uint8_t)(32 - fc_clz32(bits)); /* what lies behind the last is not needed */
       /* q is within 2^14, which costs the cosine 2^-11 of itself from 2^24 on; where the forms were just set up it is within
        * 2^10, and 2^20 is enough. A chord's end may lie 15 columns further. */
-      if (at == next && word % 4 != 0) least = least_square(&forms, (uint8_t)(count + 14));
+      if (at == next && word % 4 != 0) least = fc_cosine_least(&forms, (uint8_t)(count + 14));
       if (at != next || word % 4 == 0 || least < UINT32_C(1) << 24) {
-        start_row(&square, g, row, at, &forms);
-        least = least_square(&forms, (uint8_t)(count + 14));
+        fc_cosine_start(&square, g, row, at, &forms);
+        least = fc_cosine_least(&forms, (uint8_t)(count + 14));
       }
       if (least < UINT32_C(1) << 20) {
         fc_scan_shade_slowly(scan, row, at, bits);
@@ -586,7 +559,8 @@ FC_COLD int8_t fc_planar_side(const fc_planar *planar, const int64_t p[3]) {
   return fc_i128_sign(height);
 }
 
-FC_COLD void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
+FC_COLD uint8_t fc_planar_reach(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners,
+                                const fc_planar **on, const fc_cosine **g) {
   planar_work *work = (void *)scan->work;
   fc_planar *planar = &work->planar;
   uint16_t row;
@@ -612,7 +586,21 @@ FC_COLD void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, 
         any = true;
     }
   }
-  if (!any) return;
+  *on = planar;
+  *g = &work->g;
+  if (!any) return slow ? FC_PLANAR_SLOW : FC_PLANAR_DARK;
   cast_shadows(scan, work, hull, corners);
-  shade(scan, planar, &work->g);
+  return FC_PLANAR_LIT;
+}
+
+FC_COLD void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
+  const fc_planar *planar;
+  const fc_cosine *g;
+  if (scan->coat != NULL) {
+    fc_coat_kind kind;
+    FC_READ_ONE(&kind, scan->coat);
+    kind.planar(scan, normal, k, hull, corners);
+    return;
+  }
+  if (fc_planar_reach(scan, normal, k, hull, corners, &planar, &g) == FC_PLANAR_LIT) fc_planar_colour(scan, planar, g);
 }

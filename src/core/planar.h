@@ -45,6 +45,63 @@ struct fc_planar {
 void fc_planar_find_corners(fc_planar *planar);
 void fc_planar_find_steps(fc_planar *planar);
 
+/* The cosine's numerator (k - n.L) (n.D) / |n| in the unit of W: affine too. */
+typedef struct fc_cosine {
+  int32_t at, dx, dy;
+} fc_cosine;
+
+/* What cosines need of a row: W.W / 2^30 and its differences, and the numerator. */
+typedef struct fc_cosine_row {
+  uint32_t q, dq, ddq;
+  int32_t g;
+} fc_cosine_row;
+
+/* A quadratic form of the pixel and its differences at the first column of a row, exact; what wraps is not looked at in the tile. */
+typedef struct fc_square {
+  uint64_t at, dx, dxx; /* value, difference to the next column, its difference */
+  uint64_t dy, dyy, dxy;
+} fc_square;
+
+static inline void fc_square_next_row(fc_square *s) {
+  s->at += s->dy;
+  s->dy += s->dyy;
+  s->dx += s->dxy;
+}
+
+/* a.b modulo 2^64. */
+uint64_t fc_dot32(const int32_t a[3], const int32_t b[3]);
+
+/* The least q of the columns from where the forms stand to n on. */
+uint32_t fc_cosine_least(const fc_cosine_row *r, uint8_t n);
+
+/* Sets the forms of a row at a column. */
+void fc_cosine_start(const fc_square *s, const fc_cosine *g, uint16_t row, uint16_t column, fc_cosine_row *r);
+
+/* The cosine in Q16 where W.W / 2^30 is q and the numerator is g. */
+FC_INLINE uint32_t fc_cosine_of(uint32_t q, int32_t g) {
+  uint32_t down = 14;
+  uint32_t c;
+  if (g <= 0 || q < 16) return 0;
+  while (q < UINT32_C(1) << 30) {
+    q <<= 2;
+    down--;
+  }
+  /* g below 2^(down + 17) sqrt(q / 2^32) and little more, as |W.n| <= |W|: the product is about 2^31 at most */
+  c = (((uint32_t)g >> (down + 1)) * fc_rsqrt_q15(q)) >> 15;
+  return c > 65536 ? 65536 : c;
+}
+
+/* What fc_planar_reach left to do. */
+enum { FC_PLANAR_DARK, FC_PLANAR_SLOW, FC_PLANAR_LIT };
+
+/* The light's part of fc_planar_light up to colours: FC_PLANAR_LIT: the mask holds what it reaches, and *planar and *g, in scan->work, are set; all else
+ * is coloured. DARK: nothing is lit, SLOW: the ray engine has coloured everything. */
+uint8_t fc_planar_reach(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners, const fc_planar **planar,
+                        const fc_cosine **g);
+
+/* Colours what the mask holds by the tint. */
+void fc_planar_colour(fc_scan *scan, const fc_planar *planar, const fc_cosine *g);
+
 /* Shades the masked pixels of a tile on the plane n.p = k: facing, shadows, cosines. |n| below 2^63. They lie within the hull
  * of `corners` points of the plane, three coordinates each; 0: anywhere, for |n| below 2^30 only. */
 void fc_planar_light(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners);

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "coat.h"
 #include "depth.h"
 #include "fixcast/error.h"
 #include "pixel.h"
@@ -427,12 +428,34 @@ static bool flat_tint(const fc_frame *frame, fc_tint *tint, const fc_material *m
   return true;
 }
 
+FC_COLD uint32_t fc_scan_slope(const fc_scan *scan, uint16_t reflectance, uint8_t channel) {
+  /* the cosine's 16 bits come off the slope; its half lost is 2^-8 level */
+  const uint8_t top = scan->tint.transfer != NULL ? 255 : scan->tint.most[channel];
+  return (levels(reflectance, scan->frame->light_level[channel], top, 15) + 1) >> 1;
+}
+
+/* Names what draws the material's layers by fast forms; false when nothing does. */
+static FC_COLD bool find_coat(fc_scan *scan, const fc_material *material) {
+  fc_layer layer;
+  fc_layer_kind layer_kind;
+  fc_coat_layer coat;
+  fc_coat_kind kind;
+  FC_READ_ONE(&layer, material->layers);
+  FC_READ_ONE(&layer_kind, layer.kind);
+  if (layer_kind.coat == NULL) return false;
+  FC_READ_ONE(&coat, layer_kind.coat);
+  FC_READ_ONE(&kind, coat.kind);
+  scan->coat = coat.kind;
+  return kind.fits(scan, material);
+}
+
 /* What the primitive's material makes of the light. */
 FC_COLD void fc_scan_tint(fc_scan *scan) {
   const fc_frame *frame = scan->frame;
   fc_tint *tint = &scan->tint;
   uint16_t diffuse[3], ambient[3];
   uint8_t i, level[3];
+  bool coats;
 #ifdef FC_ROM_FAR
   fc_material copy;
   const fc_material *material = &copy;
@@ -441,6 +464,8 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
   const fc_material *material = frame->scene.materials + scan->form->material; /* a triangle's colour: no copy of its layers */
 #endif
   scan->light = material->layer_count == 0 ? frame->light : FC_LIGHT_MANY;
+  coats = material->layer_count != 0 && frame->light == FC_LIGHT_ONE;
+  scan->coat = NULL;
   tint->transfer = frame->options.transfer;
   if (scan->light == FC_LIGHT_NONE && tint->transfer == NULL && flat_tint(frame, tint, material, scan->target->format)) return;
   diffuse[0] = material->diffuse.r;
@@ -462,11 +487,10 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
       level[i] = (uint8_t)(tint->base[i] >> FC_TINT_BITS);
     }
     if (frame->light == FC_LIGHT_ONE) {
-      /* the cosine's 16 bits come off the slope; its half lost is 2^-8 level */
-      uint32_t slope = levels(diffuse[i], frame->light_level[i], top, 15);
-      slope = (slope + 1) >> 1;
+      uint32_t slope = fc_scan_slope(scan, diffuse[i], i);
       if (slope >= UINT32_C(0x8000)) {
-        scan->light = FC_LIGHT_MANY; /* too bright for 32 bits */
+        scan->light = FC_LIGHT_MANY;
+        coats = false;
         slope = 0;
       }
       tint->slope[i] = slope;
@@ -475,6 +499,11 @@ FC_COLD void fc_scan_tint(fc_scan *scan) {
   }
   tint->plain = !tint->clamp && tint->format == FC_RGB565_BE && tint->transfer == NULL;
   fc_pixel_put(scan->target->format, level, tint->unlit);
+  if (!coats) return;
+  if (find_coat(scan, material))
+    scan->light = FC_LIGHT_ONE;
+  else
+    scan->coat = NULL;
 }
 
 /* ---- strips ---- */
@@ -625,6 +654,7 @@ FC_COLD void fc_strip_draw(fc_scan *scan, const fc_frame *frame, uint16_t y, uin
   scan->asked = &scan->answer;
   scan->strip = y;
   scan->skip = skip;
+  scan->clear = false;
   scan->pixel_bytes = target->format == FC_RGB888 ? 3 : 2;
   scan->clip_far = frame->scene.far_limit > 0;
   fc_pixel_most(scan->drawn.format, scan->tint.most);

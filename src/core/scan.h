@@ -49,6 +49,9 @@ typedef struct fc_asked {
 #define FC_SCAN_WORK (sizeof(void *) > 4 ? 126 : 118)
 #define FC_SHADOW_WORK 44
 
+/* What draws a material's layers by fast forms (coat.h). */
+typedef struct fc_coat_kind fc_coat_kind;
+
 /* A primitive being drawn into a rectangle of the frame, of which the strip holds some rows. Where tiles lie depends on the
  * primitive alone, so that forms, which are rounded at a tile's origin, are the same for every strip height. */
 struct fc_scan {
@@ -65,9 +68,11 @@ struct fc_scan {
   uint8_t pixel_bytes;
   uint8_t light;       /* FC_LIGHT_... */
   bool clip_far;       /* the far limit may cut the primitive */
+  bool clear;          /* nothing keeps the light from what of the table faces it */
   uint8_t skip;        /* rows of the frame with this parity are left out; FC_SKIP_NONE: none */
   fc_tint tint;
   fc_asked *asked;     /* below */
+  const fc_coat_kind *coat; /* NULL: the material is matte, or light is FC_LIGHT_MANY */
   uint32_t mask[FC_SCAN_WORDS]; /* bit i of word j of a row: pixel 32 j + i shows the primitive */
   /* What would crowd the stack, where calls are deepest: */
   fc_target drawn;     /* a target in the order of bytes that inner loops know */
@@ -141,6 +146,9 @@ static inline uint8_t *fc_scan_pixel(const fc_scan *scan, uint16_t row, uint16_t
 
 /* Sets light and tint for scan->form's material. */
 void fc_scan_tint(fc_scan *scan);
+
+/* The tint's slope of a reflectance under the frame's only light; 2^15 and more: too bright for the fast forms. */
+uint32_t fc_scan_slope(const fc_scan *scan, uint16_t reflectance, uint8_t channel);
 
 /* Decides a pixel by the ray engine: true when the primitive is what it shows so far; its depth is then written. */
 bool fc_scan_exact(const fc_scan *scan, uint16_t row, uint16_t column);

@@ -64,9 +64,16 @@ void fc_triangle_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind,
 bool fc_triangle_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window);
 
+size_t fc_convex_memory(const fc_shapes *shapes);
+void fc_convex_strip(fc_scan *scan, uint16_t rows);
+void fc_convex_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
+void fc_convex_cast(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_group *group);
+void fc_convex_settle(const fc_frame *frame, const fc_group *group);
+
 bool fc_triangle_casts(const fc_group *group, uint16_t index);
-/* Whether the light sees the back of a triangle of a closed mesh, or may. */
-bool fc_triangle_averted(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int64_t light[3]);
+/* Which side of a triangle the light is on, in camera space: 1 where it faces the light, -1 where it is averted, 0 where that is too
+ * close to tell at a glance. */
+int8_t fc_triangle_turn(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int64_t light[3]);
 void fc_triangle_fetch(const fc_group *group, uint16_t index, fc_form *form);
 /* (B - A) x (C - A): edges below 2^31, so each component is below 2^63. */
 void fc_face_normal(const fc_form *form, int64_t n[3]);

@@ -1,4 +1,6 @@
 /* The scan engine on spheres: the silhouette and the depth from two forms along a row, light from one scalar a pixel. */
+#include "ball.h"
+#include "coat.h"
 #include "cone.h"
 #include "planar.h"
 #include "scan_kinds.h"
@@ -89,40 +91,13 @@ bool fc_sphere_window(const fc_frame *frame, const fc_group *group, uint16_t ind
 
 /* ---- light ---- */
 
-/*
- * Lambert's law from one scalar (lectures: n.l; the point is t D, the normal (P - C) / r). With the light at distance l of
- * the center, s = (P - C).(L - C) / (r l) and h = r / l, the cosine at P is
- *   (s - h) / sqrt(1 + h^2 - 2 s h),
- * lit iff s > h; and s + s0 = (D.(L - C)) t / (r l) with s0 = C.(L - C) / (r l).
- */
-typedef struct ball_light {
-  int32_t at, dx, dy;     /* D.(L - C) near / (F r l) at the tile's first pixel and its steps, times a power of two */
-  int16_t shift;          /* s + s0 = that * 2^31 / m / 2^(16 + shift) / 2^24, m the first 16 bits of p; less p's octave */
-  int32_t away, h, sum;   /* Q24; away = s0 + h, sum = 1 + h^2 */
-  int32_t margin;         /* Q24: bound on the error of s from 16 bits of p */
-  int32_t fine_margin;    /* ... and refined */
-  uint8_t octave, octaves; /* p of fewer bits, or octaves or more above them, is left to the ray engine */
-  fc_quick depth;         /* near 2^(30 + drop) / F: over p it is t */
-  uint32_t curve[3];      /* cosine / (s - h) = curve[0] + x (curve[1] + x curve[2]), Q16, x = s - h; curve[0] 0: see cosine_of */
-  uint8_t occluders;      /* MANY: more than the list holds; UNSOUGHT */
-  uint8_t unit;           /* a short vector's unit is 2^this: what lies between light and ball has 15 bits */
-  struct {
-    uint16_t primitive;
-    int16_t radius;          /* of a sphere, short; 0: ask the form */
-    union {
-      int16_t center[3];       /* of a sphere with a short radius: from the light */
-      fc_placed_window window; /* of others: pixels in which it may matter */
-    } at;
-  } occluder[8];
-} ball_light;
-
 enum { LIGHT_UNKNOWN, LIGHT_FORMS, LIGHT_SLOW };
 #define MANY 255
 #define UNSOUGHT 254 /* nothing in the tile has faced the light yet */
 
 typedef struct occluder_list {
   const fc_scan *scan;
-  ball_light *light;
+  fc_ball_light *light;
   int16_t way[3];   /* from the light to the ball, short */
   uint32_t length;  /* squared */
 } occluder_list;
@@ -177,7 +152,7 @@ static FC_COLD int16_t shorten(const fc_form *form, const int64_t light[3], uint
 static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
   const occluder_list *list = context;
   const fc_scan *scan = list->scan;
-  ball_light *light = list->light;
+  fc_ball_light *light = list->light;
   fc_form *form = &scan->asked->surface.form;
   fc_window box;
   int16_t center[3], radius = 0;
@@ -208,7 +183,7 @@ static bool add_occluder(void *context, const fc_cursor *at, uint16_t index) {
   return false;
 }
 
-static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
+static FC_COLD void find_occluders(const fc_scan *scan, fc_ball_light *light) {
   fc_reach reach;
   occluder_list list;
   uint64_t most = 0;
@@ -231,13 +206,13 @@ static FC_COLD void find_occluders(const fc_scan *scan, ball_light *light) {
 }
 
 /* 1 + h^2 - 2 s h in Q30 from s - h = e: Q16 * Q15, at least (1 - h)^2 > 2^-8. */
-FC_INLINE uint32_t distance_square(const ball_light *light, uint32_t e) {
+FC_INLINE uint32_t distance_square(const fc_ball_light *light, uint32_t e) {
   const uint32_t h = (uint32_t)light->h;
   return ((uint32_t)light->sum - (((e >> 8) + (h >> 8)) * (h >> 9) >> 6)) << 6;
 }
 
 /* The cosine in Q16 from s - h = e > 0. */
-static uint32_t cosine_of(const ball_light *light, uint32_t e) {
+uint32_t fc_ball_cosine(const fc_ball_light *light, uint32_t e) {
   uint32_t g = distance_square(light, e);
   uint8_t up = 15;
   while (g < UINT32_C(1) << 30) {
@@ -249,7 +224,7 @@ static uint32_t cosine_of(const ball_light *light, uint32_t e) {
 }
 
 /* 1 / sqrt(1 + h^2 - 2 s h) in Q16, for h up to 1/4. */
-static FC_COLD int32_t inverse_distance(const ball_light *light, uint32_t e) {
+static FC_COLD int32_t inverse_distance(const fc_ball_light *light, uint32_t e) {
   uint32_t g = distance_square(light, e);
   /* at least (3/4)^2 in Q30: one shift makes it 2^30 */
   return (int32_t)(g < UINT32_C(1) << 30 ? 2 * fc_rsqrt_q15(g << 2) : fc_rsqrt_q15(g));
@@ -260,7 +235,7 @@ static FC_COLD int32_t inverse_distance(const ball_light *light, uint32_t e) {
  * ends and the middle is off by at most 0.0481 / 6 of the third derivative in x / X, which is 15 h^3 / (1 - h)^4: 2^-10.3 at
  * h = 0.15; the values' own errors, 2^-14, come to less than 2^-13.
  */
-static FC_COLD void set_curve(ball_light *light) {
+static FC_COLD void set_curve(fc_ball_light *light) {
   const uint32_t whole = (UINT32_C(1) << 24) - (uint32_t)light->h;
   int32_t g0, g1, g2, slope, bend, r;
   light->curve[0] = 0;
@@ -280,7 +255,7 @@ static FC_COLD void set_curve(ball_light *light) {
 }
 
 /* p: near / z = p / 2^(30 + drop), off by at most `error`. */
-static FC_COLD uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t drop, uint32_t error) {
+static FC_COLD uint8_t set_light(const fc_scan *scan, fc_ball_light *light, int16_t drop, uint32_t error) {
   const int64_t *c = scan->form->u.sphere.center;
   int64_t d[3], step, l[3], at, most, center_light;
   int32_t s0;
@@ -345,7 +320,7 @@ static FC_COLD uint8_t set_light(const fc_scan *scan, ball_light *light, int16_t
 }
 
 /* The point that a pixel with this p shows: t D with t = near 2^(30 + drop) / (p F); returns a bound of its error an axis. */
-static FC_COLD uint32_t point_at(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p,
+static FC_COLD uint32_t point_at(const fc_scan *scan, const fc_ball_light *light, uint16_t row, uint16_t column, uint32_t p,
                          int32_t point[3]) {
   const fc_quick t = fc_quick_mul(fc_quick_recip(fc_quick_from(p, 0)), light->depth);
   const int16_t up = (int16_t)(t.e + 32);
@@ -404,7 +379,7 @@ static bool hides_pixel(void *context, const fc_cursor *at, uint16_t index) {
   return hides > 0 || (hides < 0 && fc_scan_blocked(q->scan, q->row, q->column, kind, form));
 }
 
-static FC_COLD bool occluded_by_any(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
+static FC_COLD bool occluded_by_any(const fc_scan *scan, const fc_ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
   pixel_question question;
   fc_reach reach;
   int64_t to[3];
@@ -423,7 +398,7 @@ static FC_COLD bool occluded_by_any(const fc_scan *scan, const ball_light *light
 }
 
 /* Whether an occluder in the list keeps the light away from the pixel with this p. */
-static FC_COLD bool occluded(const fc_scan *scan, const ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
+static FC_COLD bool occluded(const fc_scan *scan, const fc_ball_light *light, uint16_t row, uint16_t column, uint32_t p) {
   fc_cursor *cursor = &scan->asked->surface.at;
   fc_form *form = &scan->asked->surface.form;
   int32_t point[3];
@@ -481,7 +456,7 @@ FC_INLINE int32_t times_reciprocal(int32_t v, uint32_t r) {
 }
 
 /* s - h of a pixel, refined. */
-static FC_COLD int32_t refined(const ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
+FC_COLD int32_t fc_ball_refined(const fc_ball_light *light, int32_t along, uint32_t p, uint8_t octave) {
   uint32_t r = fc_recip_q31(p >> (octave - 15));
   int32_t s = times_reciprocal(along, r);
   /* times 1 + rest with rest = 1 - x r, below 2^-13 */
@@ -519,7 +494,7 @@ static FC_NOINLINE uint32_t *face_octave(const facing *of, int32_t along, uint32
 
 /* Turns p of the pixels in `bits` into s - h in Q24 (of others, too); returns those that are within the margin, or out of
  * reach, and in *averted those that do not face the light. */
-static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, uint32_t bits, uint32_t *first, uint32_t *averted) {
+static FC_NOINLINE uint32_t facing_row(const fc_ball_light *light, int32_t along, uint32_t bits, uint32_t *first, uint32_t *averted) {
   uint32_t open = 0, dark = 0, close = 0, left = bits, *p = first;
   const uint32_t *end = first + (32 - fc_clz32(bits));
   facing of;
@@ -553,7 +528,7 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
     int32_t e, fine = light->fine_margin;
     uint32_t bit = UINT32_C(1) << (p - first);
     if (!(left & 1)) continue;
-    e = refined(light, along + of.dx * (int32_t)(p - first), *p, (uint8_t)(31 - fc_clz32(*p)));
+    e = fc_ball_refined(light, along + of.dx * (int32_t)(p - first), *p, (uint8_t)(31 - fc_clz32(*p)));
     if (e >= -fine && e <= fine) open |= bit;
     if (e < 0) dark |= bit;
     *p = (uint32_t)e;
@@ -563,7 +538,7 @@ static FC_NOINLINE uint32_t facing_row(const ball_light *light, int32_t along, u
 }
 
 /* Colours the pixels of a row in `bits` from s - h > 0 of each, where the light's curve holds. */
-static FC_NOINLINE void shade_curve(const ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to) {
+static FC_NOINLINE void shade_curve(const fc_ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to) {
   const uint32_t c0 = light->curve[0], c1 = light->curve[1], c2 = light->curve[2];
   const uint32_t red = tint->base[0], green = tint->base[1], blue = tint->base[2];
   const uint32_t red_slope = tint->slope[0], green_slope = tint->slope[1], blue_slope = tint->slope[2];
@@ -582,16 +557,16 @@ static FC_NOINLINE void shade_curve(const ball_light *light, const fc_tint *tint
 }
 
 /* The same for any light and format. */
-static FC_NOINLINE void shade_any(const ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to,
+static FC_NOINLINE void shade_any(const fc_ball_light *light, const fc_tint *tint, uint32_t bits, const uint32_t *p, uint8_t *to,
                                   uint8_t pixel_bytes) {
   const uint32_t whole = (UINT32_C(1) << 24) - (uint32_t)light->h;
   for (; bits != 0; bits >>= 1, to += pixel_bytes, p++)
     if (bits & 1)
-      fc_tint_put(tint, cosine_of(light, *p > whole ? whole : *p), to);
+      fc_tint_put(tint, fc_ball_cosine(light, *p > whole ? whole : *p), to);
 }
 
-/* Lights the pixels of a row in `bits`, given p of each and in `e` a copy that is used up. */
-static void light_row(const fc_scan *scan, ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
+/* Lights the pixels of a row in `bits`, given p of each and in `e` a copy that becomes s - h; returns those lit, but for what a ray has coloured. */
+static uint32_t light_row(const fc_scan *scan, fc_ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
                       const uint32_t *p, uint32_t *e) {
   uint32_t open, dark, bit = 1, rest;
   uint8_t i;
@@ -614,15 +589,16 @@ static void light_row(const fc_scan *scan, ball_light *light, uint16_t row, uint
     shade_curve(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column));
   else
     shade_any(light, &scan->tint, bits, e, fc_scan_pixel(scan, row, column), scan->pixel_bytes);
+  return bits;
 }
 
 /* The same among occluders, who are asked about the points. */
-static FC_COLD void light_row_among(const fc_scan *scan, ball_light *light, uint16_t row, uint16_t column,
+static FC_COLD void light_row_among(const fc_scan *scan, fc_ball_light *light, uint16_t row, uint16_t column,
                                         uint32_t bits, const uint32_t *p, uint32_t e[32]) {
   uint32_t rest;
   uint8_t i;
   for (i = 0, rest = bits; rest != 0; i++, rest >>= 1) e[i] = p[i];
-  light_row(scan, light, row, column, bits, p, e);
+  (void)light_row(scan, light, row, column, bits, p, e);
 }
 
 /* ---- drawing ---- */
@@ -998,22 +974,35 @@ static void next_row(sphere_forms *ball, int64_t b_dy) {
   ball->b = fc_to_i64((uint64_t)ball->b + (uint64_t)b_dy);
 }
 
+/* The same for a coat. */
+static FC_NOINLINE void light_row_coated(const fc_scan *scan, const sphere_forms *ball, fc_ball_light *light, uint16_t row, uint16_t column,
+                                     uint32_t bits, const uint32_t *p, uint32_t e[32], fc_ball_coat *coat) {
+  uint32_t rest, lit;
+  uint8_t i;
+  for (i = 0, rest = bits; rest != 0; i++, rest >>= 1) e[i] = p[i];
+  lit = light_row(scan, light, row, column, bits, p, e);
+  if (lit != 0)
+    coat->run(coat, row, column, lit, p, e,
+              (uint32_t)(((uint64_t)ball->b + fc_times((uint64_t)ball->b_dx, column) + (UINT32_C(1) << 31)) >> 32), ball->b_step);
+  coat->seen(coat, row, column, bits, p);
+}
+
 /* What a tile of a sphere is drawn in. */
 typedef struct sphere_work {
   sphere_forms ball;
-  ball_light light;
+  fc_ball_light light;
   sphere_row at;
   fc_coder coder;
   int64_t b_dy;
   uint32_t p[32], e[32];
 } sphere_work;
 
-typedef char work_fits[sizeof(sphere_work) <= FC_SCAN_WORK * sizeof(int64_t) ? 1 : -1];
+typedef char sphere_work_fits[sizeof(sphere_work) <= FC_SCAN_WORK * sizeof(int64_t) ? 1 : -1];
 
-static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
+void fc_ball_draw(fc_scan *scan, const fc_placed_sphere *placed, fc_ball_coat *coat) {
   sphere_work *work = (void *)scan->work;
   sphere_forms *ball = &work->ball;
-  ball_light *light = &work->light;
+  fc_ball_light *light = &work->light;
   sphere_row *at = &work->at;
   uint32_t *ps = work->p;
   uint16_t row;
@@ -1045,9 +1034,12 @@ static void draw_plain(fc_scan *scan, const fc_placed_sphere *placed) {
       if (how == LIGHT_UNKNOWN) {
         how = set_light(scan, light, ball->drop, ball->error);
         light->occluders = UNSOUGHT;
+        if (coat != NULL && how != LIGHT_SLOW) coat->start(coat, light, placed, ball->drop, ball->error);
       }
       if (how == LIGHT_SLOW)
         fc_scan_shade_slowly(scan, row, column, bits);
+      else if (coat != NULL)
+        light_row_coated(scan, ball, light, row, column, bits, ps, work->e, coat);
       else if (light->occluders != 0)
         light_row_among(scan, light, row, column, bits, ps, work->e);
       else
@@ -1091,7 +1083,13 @@ FC_COLD void fc_sphere_draw(fc_scan *scan) {
   uint8_t word;
   if (placed->seen != FC_SPHERE_ODD && is_covered(scan)) return;
   if (placed->seen != FC_SPHERE_ODD) {
-    draw_plain(scan, placed);
+    if (scan->coat == NULL) {
+      fc_ball_draw(scan, placed, NULL);
+    } else {
+      fc_coat_kind kind;
+      FC_READ_ONE(&kind, scan->coat);
+      kind.sphere(scan, placed);
+    }
     return;
   }
   for (row = 0; row < scan->rows * scan->words; row++) scan->mask[row] = 0;

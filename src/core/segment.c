@@ -92,10 +92,7 @@ FC_COLD int64_t fc_small_norm1(const int64_t a[3]) {
 }
 
 FC_COLD int64_t fc_dot(const int64_t a[3], const int64_t b[3]) {
-  uint64_t sum = 0;
-  uint8_t i;
-  for (i = 0; i < 3; i++) sum += (uint64_t)a[i] * (uint64_t)b[i];
-  return fc_to_i64(sum);
+  return fc_to_i64((uint64_t)a[0] * (uint64_t)b[0] + (uint64_t)a[1] * (uint64_t)b[1] + (uint64_t)a[2] * (uint64_t)b[2]);
 }
 
 FC_COLD void fc_cross(const int64_t a[3], const int64_t b[3], int64_t r[3]) {

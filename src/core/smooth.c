@@ -1,4 +1,5 @@
 /* The layer of smooth shading: normals between those of a triangle's vertices. */
+#include "coat.h"
 #include "fixcast/error.h"
 #include "layer.h"
 #include "segment.h"
@@ -33,4 +34,4 @@ static FC_COLD void surface(fc_shading *shading, const void *data) {
   for (i = 0; i < 3; i++) shading->normal[i] = n[i];
 }
 
-const fc_layer_kind fc_layer_smooth FC_ROM = {check, surface, NULL, NULL};
+const fc_layer_kind fc_layer_smooth FC_ROM = {check, surface, NULL, NULL, &fc_coat_layer_smooth};

@@ -267,4 +267,4 @@ const fc_kind fc_kind_sphere FC_ROM = {
     check,    memory, extent,      place,             fetch,            prepare,        test,             blocked,         facing, normal,
     side,     NULL,   depth_range, fc_sphere_project, fc_sphere_window, fc_sphere_draw, fc_sphere_shadow, fc_sphere_between,
     fc_sphere_hides,
-    fc_sphere_strip, bounds, NULL};
+    fc_sphere_strip, bounds, NULL, NULL, NULL};

@@ -45,4 +45,4 @@ static FC_COLD void surface(fc_shading *shading, const void *data) {
   }
 }
 
-const fc_layer_kind fc_layer_texture FC_ROM = {check, surface, NULL, NULL};
+const fc_layer_kind fc_layer_texture FC_ROM = {check, surface, NULL, NULL, &fc_coat_layer_texture};

@@ -208,12 +208,14 @@ static uint8_t test(const fc_prepared *prepared, const int64_t direction[3], fc_
 
 static void bounds(const fc_form *form, int64_t low[3], int64_t high[3]) {
   uint8_t j;
-  for (j = 0; j < 3; j++) {
-    int64_t a = form->u.triangle.vertex[0][j], b = form->u.triangle.vertex[1][j], c = form->u.triangle.vertex[2][j];
-    low[j] = a < b ? a : b;
-    high[j] = a < b ? b : a;
-    if (c < low[j]) low[j] = c;
-    if (c > high[j]) high[j] = c;
+  for (j = 0; j < 3; j++) { /* world coordinates and camera space: 31 bits and a sign */
+    const int32_t a = (int32_t)form->u.triangle.vertex[0][j], b = (int32_t)form->u.triangle.vertex[1][j],
+                  c = (int32_t)form->u.triangle.vertex[2][j];
+    int32_t least = a < b ? a : b, most = a < b ? b : a;
+    if (c < least) least = c;
+    if (c > most) most = c;
+    low[j] = least;
+    high[j] = most;
   }
 }
 
@@ -348,4 +350,32 @@ const fc_kind fc_kind_triangle FC_ROM = {check,
                                          NULL,
                                          fc_triangle_strip,
                                          bounds,
-                                         fc_triangle_casts};
+                                         fc_triangle_casts,
+                                         NULL,
+                                         NULL};
+
+/* The same, but for its shadow (outline.c). */
+const fc_kind fc_kind_convex FC_ROM = {check,
+                                       fc_convex_memory,
+                                       extent,
+                                       place,
+                                       fc_triangle_fetch,
+                                       prepare,
+                                       test,
+                                       blocked,
+                                       facing,
+                                       normal,
+                                       side,
+                                       weights,
+                                       depth_range,
+                                       fc_convex_project,
+                                       NULL,
+                                       NULL,
+                                       fc_triangle_shadow,
+                                       fc_triangle_between,
+                                       NULL,
+                                       fc_convex_strip,
+                                       bounds,
+                                       fc_triangle_casts,
+                                       fc_convex_cast,
+                                       fc_convex_settle};

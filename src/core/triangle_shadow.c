@@ -9,6 +9,7 @@
 #include "facet.h"
 #include "planar.h"
 #include "scan_kinds.h"
+#include "triangle_shadow.h"
 
 typedef struct shadow_form {
   int64_t at, dx, dy;
@@ -102,8 +103,7 @@ static uint8_t sides_of(const fc_planar *receiver, const fc_form *form) {
   return sides;
 }
 
-/* Darkens the masked pixels of a row between two columns. */
-static FC_COLD void darken(fc_scan *scan, uint16_t row, int32_t first, int32_t last) {
+FC_COLD void fc_shadow_darken(fc_scan *scan, uint16_t row, int32_t first, int32_t last) {
   int32_t word;
   for (word = first / 32; word <= last / 32; word++) {
     uint32_t bits = scan->mask[row * scan->words + word];
@@ -146,7 +146,7 @@ static void cast(fc_scan *scan, const fc_facet *facet, const int32_t more[3], ui
         for (; first <= last && first < inner_first; first++) ask(scan, (uint16_t)row, first, kind, form);
         if (first <= last) {
           for (; last > inner_last; last--) ask(scan, (uint16_t)row, last, kind, form);
-          darken(scan, (uint16_t)row, first, last);
+          fc_shadow_darken(scan, (uint16_t)row, first, last);
         }
       }
     }
@@ -199,44 +199,19 @@ typedef struct edge_glance {
  * known), or on different sides of two. Where it is not, `edges` are what was found.
  */
 static bool misses(const fc_planar *receiver, const int32_t a[3][3], int8_t sign, edge_glance edges[3]) {
-  /*
-   * Vertices and edges cut to 15 bits (-2^15 .. 2^15 - 1), off by less than 1 a component: N = A x E, within 2^31 - 2^15, is off by
-   * less than 2^17 + 2; cut by 2^16 to 15 bits by less than 3.001. W, rounded to 14 bits, is off by less than 3/4 (w.error is
-   * below 2^14). So N.W, below 3 2^29, is off by less than 3 (3.001 2^14 + 3/4 2^15 + 3) = 147515 + 73728.
-   */
-  const int32_t error = 221300;
+  const int32_t error = FC_GLANCE_ERROR;
   uint32_t all = 0;
   uint8_t i, j, shift;
   bool outside = false, inside = false;
   for (i = 0; i < 3; i++)
     for (j = 0; j < 3; j++) all |= fc_abs32(a[i][j]);
-  shift = all >> 15 == 0 ? 0 : (uint8_t)(17 - fc_clz32(all));
+  shift = fc_glance_shift(all);
   for (i = 0; i < 3; i++) {
-    const int32_t *from = a[i], *to = a[next(i)];
-    int32_t v[3], e[3], n[3], value[4], low = INT32_MAX, high = INT32_MIN;
-    uint8_t cut;
-    all = 0;
-    for (j = 0; j < 3; j++) {
-      e[j] = to[j] - from[j]; /* vertices within 2^30 */
-      all |= fc_abs32(e[j]);
-      v[j] = fc_floor_shift32(from[j], shift);
-    }
-    if (all == 0) { /* no edge, which tells nothing */
+    int32_t n[3], value[4], low = INT32_MAX, high = INT32_MIN;
+    if (!fc_glance_edge(a[i], a[next(i)], shift, n)) { /* no edge, which tells nothing */
       edges[i].at = edges[i].right = edges[i].down = 0;
       continue;
     }
-    cut = (uint8_t)fc_clz32(all);
-    if (cut < 17) {
-      cut = (uint8_t)(17 - cut);
-      e[0] = fc_floor_shift32(e[0], cut);
-      e[1] = fc_floor_shift32(e[1], cut);
-      e[2] = fc_floor_shift32(e[2], cut);
-    } else {
-      for (j = 0; j < 3; j++) e[j] *= INT32_C(1) << (cut - 17);
-    }
-    n[0] = fc_floor_shift32(v[1] * e[2] - v[2] * e[1], 16);
-    n[1] = fc_floor_shift32(v[2] * e[0] - v[0] * e[2], 16);
-    n[2] = fc_floor_shift32(v[0] * e[1] - v[1] * e[0], 16);
     for (j = 0; j < 4; j++) {
       const int16_t *w = receiver->corner[j];
       value[j] = n[0] * w[0] + n[1] * w[1] + n[2] * w[2];
@@ -294,8 +269,7 @@ static bool touches(const fc_scan *scan, const fc_planar *receiver, const edge_g
   return false;
 }
 
-/* Whether a triangle seen from the light darkens nothing that the mask shows, by both glances. */
-static FC_NOINLINE bool is_clear(const fc_scan *scan, fc_planar *receiver, const int32_t a[3][3], int8_t hidden) {
+FC_NOINLINE bool fc_shadow_is_clear(const fc_scan *scan, fc_planar *receiver, const int32_t a[3][3], int8_t hidden) {
   edge_glance edges[3];
   if (!receiver->corners_known) fc_planar_find_corners(receiver);
   if (misses(receiver, a, hidden, edges)) return true;
@@ -304,20 +278,32 @@ static FC_NOINLINE bool is_clear(const fc_scan *scan, fc_planar *receiver, const
   return !touches(scan, receiver, edges, hidden);
 }
 
-bool fc_triangle_averted(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int64_t light[3]) {
+FC_NOINLINE bool fc_shadow_edge_find(const fc_scan *scan, const fc_planar *receiver, const int32_t a[3], const int32_t b[3], int8_t sign,
+                                     fc_shadow_edge *edge) {
+  int64_t wide[3];
+  int32_t n[3];
+  shadow_form form;
+  bool cut;
+  cross(a, b, wide);
+  cut = shrink(wide, n) > 0; /* short by less than 1 a component */
+  set_form(&receiver->w, n, sign, cut, &form);
+  edge->certain = 0;
+  return fit(scan, &form, &edge->at, &edge->dx, &edge->dy, &edge->certain);
+}
+
+int8_t fc_triangle_turn(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int64_t light[3]) {
   int32_t v[3][3], n[3];
-  int64_t wide[3], volume;
-  uint8_t j, cut;
+  int64_t wide[3], volume, doubt;
+  uint8_t j;
   for (j = 0; j < 3; j++) { /* 30 bits each */
     v[0][j] = (int32_t)(a[j] - light[j]);
     v[1][j] = (int32_t)(b[j] - light[j]);
     v[2][j] = (int32_t)(c[j] - light[j]);
   }
   cross(v[0], v[1], wide);
-  cut = shrink(wide, n) > 0;
+  doubt = shrink(wide, n) > 0 ? norm1(v[2]) : 0;
   volume = dot(n, v[2]);
-  /* camera space: a front is seen where this is above 0 */
-  return volume <= (cut ? norm1(v[2]) : 0);
+  return (int8_t)((volume > doubt) - (volume < -doubt));
 }
 
 void fc_triangle_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form) {
@@ -334,9 +320,9 @@ void fc_triangle_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind,
     a[1][j] = (int32_t)form->u.triangle.vertex[1][j] - light;
     a[2][j] = (int32_t)form->u.triangle.vertex[2][j] - light;
   }
-  if (receiver->w.error >> 14 == 0 && is_clear(scan, receiver, (const int32_t(*)[3])a, form->u.triangle.hidden)) return;
-  sides = sides_of(receiver, form);
+  sides = sides_of(receiver, form); /* a plane cut into triangles is no shadow on itself */
   if (!(sides & 1)) return;
+  if (receiver->w.error >> 14 == 0 && fc_shadow_is_clear(scan, receiver, (const int32_t(*)[3])a, form->u.triangle.hidden)) return;
   for (i = 0; i < 3; i++) {
     int64_t wide[3];
     cross(a[i], a[next(i)], wide);

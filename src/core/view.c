@@ -182,6 +182,17 @@ FC_COLD void fc_view_direction(const fc_frame *frame, uint16_t x, uint16_t y, in
   direction[2] = frame->view.focal;
 }
 
+FC_COLD int32_t fc_view_project(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z) {
+  /* Half pixels from the centre: a F / (z 2^pixel_shift), 32 + 30 bits over at least 1. A divisor beyond 62 bits would
+   * overflow: z below 2^31 and pixel_shift below 30 keep it within 61. */
+  int64_t half = a * frame->view.focal / (z * (INT64_C(1) << frame->view.pixel_shift));
+  int64_t pixel;
+  if (half > INT64_C(2000000)) half = INT64_C(2000000);
+  if (half < -INT64_C(2000000)) half = -INT64_C(2000000);
+  pixel = axis == 0 ? half + frame->width : frame->height - half;
+  return pixel < -4 ? -2 : (int32_t)(pixel / 2);
+}
+
 FC_COLD bool fc_too_far_in(fc_wide *w, const fc_frame *frame, const fc_root *root, const int64_t d[3]) {
   if (frame->scene.far_limit == 0) return false;
   /* 30-bit components: below 3 * 2^60 */

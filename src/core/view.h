@@ -61,4 +61,8 @@ static inline uint16_t fc_view_rows(const fc_frame *frame) {
 /* Direction of the ray through pixel (x, y). */
 void fc_view_direction(const fc_frame *frame, uint16_t x, uint16_t y, int64_t direction[3]);
 
+/* floor of the column (axis 0, to the right) or row (axis 1, downwards) in which camera coordinates (a, z), z > 0, are
+ * seen, in pixels; within one pixel; clamped to -2 .. 2^20. a below 2^32. */
+int32_t fc_view_project(const fc_frame *frame, uint8_t axis, int64_t a, int64_t z);
+
 #endif

@@ -14,7 +14,7 @@ from support import Report
 
 UNITS = re.compile(r"(volume(_\w+)?|rotation|rotate|sine|trackball|reflect|extra_\w+|phong|mirror|emission|smooth|vertex|texture(_\w+)?|"
                    r"mapping_\w+|sky|srgb|gamma22|sample(_\w+)?|lens_\w+)\.")
-KINDS = {"fc_kind_plane", "fc_kind_triangle"}
+KINDS = {"fc_kind_plane", "fc_kind_triangle", "fc_kind_convex"}
 
 
 def external(nm, *options):

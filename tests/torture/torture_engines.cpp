@@ -311,7 +311,18 @@ private:
   }
 
   void add_materials() {
-    for (fc_material &material : materials_) material.diffuse = any_rgb(random_.flip() ? 32768 : 65535);
+    for (fc_material &material : materials_) {
+      material.diffuse = any_rgb(random_.flip() ? 32768 : 65535);
+      material.layer_count = 0;
+      material.layers = nullptr;
+    }
+    if (random_.within(0, 2) != 0) return;
+    /* the second has a highlight: from broad to sharper than the fast forms take */
+    phong_.specular = any_rgb(random_.flip() ? 20000 : 65535);
+    phong_.shininess_q8 = static_cast<uint32_t>(random_.within(128, 512)) << random_.within(0, 9);
+    layer_ = {&fc_layer_phong, &phong_};
+    materials_[1].layers = &layer_;
+    materials_[1].layer_count = 1;
   }
 
   Random &random_;
@@ -323,6 +334,8 @@ private:
   std::vector<fc_light> lights_;
   std::vector<fc_shapes> tables_;
   fc_material materials_[2] = {};
+  fc_phong phong_ = {};
+  fc_layer layer_ = {};
 };
 
 std::string text_of(fc_vec3 v) { return print("{%ld, %ld, %ld}", static_cast<long>(v.x), static_cast<long>(v.y), static_cast<long>(v.z)); }
@@ -338,6 +351,8 @@ std::string World::text() const {
   if (scene.far_limit > 0) all += print("\n  far limit %ld * 2^%d", static_cast<long>(scene.far_limit), scene.far_exponent);
   all += "\n  ambient " + text_of(scene.ambient) + " background " + text_of(scene.background) + " diffuse " +
          text_of(materials_[0].diffuse) + " " + text_of(materials_[1].diffuse);
+  if (materials_[1].layer_count != 0)
+    all += ", Phong " + text_of(phong_.specular) + print(" ^ %lu/256", static_cast<unsigned long>(phong_.shininess_q8));
   for (const fc_light &l : lights_)
     all += "\n  light " + text_of(l.position) + print(" * 2^%d, intensity ", l.exponent) + text_of(l.intensity) +
            print(" * 2^%d%s", l.intensity_exponent, l.inverse_square ? ", inverse square" : "");
@@ -372,7 +387,8 @@ void channels(const Picture &picture, size_t i, int format, int level[3]) {
 }
 
 /* Levels by which colours may differ: one; and where a sphere or a light's distance is only a few grid units long, what the
- * ray engine loses by rounding the point to the grid, half a unit an axis, in levels up to 256 a unit of the cosine. */
+ * ray engine loses by rounding the point to the grid, half a unit an axis, in levels up to 256 a unit of the cosine. A highlight
+ * c^n falls by 0.61 sqrt(n) a radian at most, and the mirrored ray turns twice as far as the normal. */
 double tolerance(const fc_frame &frame, uint16_t primitive, size_t i) {
   const int64_t eye[3] = {0, 0, 0};
   int64_t d[3];
@@ -388,7 +404,10 @@ double tolerance(const fc_frame &frame, uint16_t primitive, size_t i) {
   }
   turn = 1 / std::sqrt(square + 1);
   if (fc_kind_of(&surface.at) == &fc_kind_sphere) turn += 1 / static_cast<double>(surface.form.u.sphere.radius);
-  return 1 + 256 * 0.87 * turn;
+  const fc_material &material = frame.scene.materials[surface.form.material];
+  double steep = 1;
+  if (material.layer_count != 0) steep += 2 * 0.61 * std::sqrt(static_cast<const fc_phong *>(material.layers[0].data)->shininess_q8 / 256.0);
+  return 1 + 256 * 0.87 * turn * steep;
 }
 
 using Render = int (*)(const fc_frame *, uint16_t, uint16_t, const fc_target *);

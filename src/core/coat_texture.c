@@ -1,0 +1,349 @@
+/* Bilinear images on planes and triangles by fast forms: texel coordinates are quotients of affine forms. */
+#include "coat.h"
+
+#include "fixcast/error.h"
+#include "texture.h"
+
+/* The levels that white is worth: unlit, and a cosine in Q16; times 256 / 255, as texels count to 255. False when they are too bright. */
+static FC_COLD bool light_of(const fc_scan *scan, bool modulate, fc_coat_texture *texture) {
+  uint16_t ambient[3];
+  uint8_t i;
+  fc_channels(&scan->frame->scene.ambient, ambient);
+  for (i = 0; i < 3; i++) {
+    const uint8_t top = scan->tint.transfer != NULL ? 255 : scan->tint.most[i];
+    uint32_t slope = scan->tint.slope[i], base = scan->tint.base[i] - (scan->tint.transfer != NULL ? 0 : UINT32_C(1) << (FC_TINT_BITS - 1));
+    if (!modulate) {
+      slope = fc_scan_slope(scan, FC_ONE_Q15, i);
+      if (slope >= UINT32_C(0x8000) || ambient[i] > FC_ONE_Q15) return false;
+      base = ((uint32_t)ambient[i] << 8) * top; /* 15 + 8 + 8 bits */
+    }
+    base += base >> 8;   /* 256 / 255 within 2^-16 */
+    slope += (slope + 128) >> 8;
+    if (slope >= UINT32_C(0x8000) || base + (slope << 16) < base) return false;
+    if (texture != NULL) {
+      texture->base[i] = base;
+      texture->slope[i] = slope;
+    }
+  }
+  return true;
+}
+
+static FC_COLD void open_data(const void *data, fc_texture *texture, fc_mapping *mapping, fc_mapping_kind *kind, fc_image *image) {
+  FC_READ(texture, data, sizeof *texture);
+  FC_READ_ONE(mapping, texture->mapping);
+  FC_READ_ONE(kind, mapping->kind);
+  FC_READ(image, texture->pattern_data, sizeof *image);
+}
+
+static FC_COLD bool fits(const fc_scan *scan, const void *data) {
+  const fc_kind *shape = fc_kind_of(scan->at);
+  fc_texture texture;
+  fc_mapping mapping;
+  fc_mapping_kind kind;
+  fc_image image;
+  FC_READ(&texture, data, sizeof texture);
+  if (texture.pattern != &fc_texture_image) return false;
+  open_data(data, &texture, &mapping, &kind, &image);
+  return (shape->weights != NULL || shape->bounds == NULL) && kind.forms != NULL && image.bilinear && image.format == FC_TEXEL_RGB888 &&
+         light_of(scan, texture.modulate != 0, NULL);
+}
+
+/* A form of the pixel in 64 bits. */
+typedef fc_coat_wide wide_form;
+
+/* m.D / 2^32 over the tile: below 2^62. D's x moves along a row and its y along a column. */
+static FC_COLD void set_wide(wide_form *form, const int64_t m[3], const int64_t d[3], int64_t step) {
+  form->at = fc_smul64hi(m[0], (int32_t)d[0]) + fc_smul64hi(m[1], (int32_t)d[1]) + fc_smul64hi(m[2], (int32_t)d[2]);
+  form->dx = fc_smul64hi(m[0], (int32_t)step);
+  form->dy = fc_smul64hi(m[1], (int32_t)-step);
+}
+
+/* v m / 2^33 / 2^down. */
+static FC_COLD int64_t scaled(int64_t v, uint32_t m, uint8_t down) { return fc_floor_shift64(fc_smul64hi(v, (int32_t)(m >> 1)), down); }
+
+/*
+ * A coordinate is u = scale (m.D) / (n.D) for vectors of the tile (fc_mapping_kind.forms). In texels from the centre of texel 0 that is X = A / Q, both
+ * affine in the pixel. A is short of the truth by 2^-26 of what it is from the mapping's origin.
+ */
+static FC_COLD bool set_axis(const wide_form *q, const wide_form *u, fc_quick scale, uint16_t size, fc_coat_axis *axis) {
+  const int32_t down = 24 - 33 - scale.e;
+  if (down < 0 || down > 60 || scale.m == 0) return false;
+  axis->a.at = scaled(u->at, scale.m, (uint8_t)down) - fc_floor_shift64(q->at, 1);
+  axis->a.dx = scaled(u->dx, scale.m, (uint8_t)down) - fc_floor_shift64(q->dx, 1);
+  axis->a.dy = scaled(u->dy, scale.m, (uint8_t)down) - fc_floor_shift64(q->dy, 1);
+  axis->size = size;
+  axis->inverse = fc_quick_recip(fc_quick_from(size, 0));
+  return true;
+}
+
+static FC_COLD void planar_start(fc_coat *coat, const void *data) {
+  const fc_scan *scan = coat->scan;
+  fc_coat_texture *to = &coat->texture;
+  fc_texture texture;
+  fc_mapping mapping;
+  fc_mapping_kind kind;
+  fc_image image;
+  fc_mapping_forms forms;
+  int64_t d[3], step;
+  wide_form q, u;
+  uint8_t i;
+  coat->textured = coat->cosines = true;
+  to->sure = false;
+  open_data(data, &texture, &mapping, &kind, &image);
+  (void)light_of(scan, texture.modulate != 0, to);
+  to->texels = image.texels;
+  to->clamp = image.clamp != 0;
+  if (!kind.forms(coat, &mapping, &forms)) return;
+  fc_scan_direction(scan, d, &step);
+  set_wide(&q, forms.n, d, step);
+  q.at = fc_floor_shift64(q.at, 24);
+  q.dx = fc_floor_shift64(q.dx, 24);
+  q.dy = fc_floor_shift64(q.dy, 24);
+  to->q = q;
+  for (i = 0; i < 2; i++) {
+    const uint16_t size = i == 0 ? image.width : image.height;
+    const fc_quick scale =
+        fc_quick_mul(forms.scale[i], fc_quick_from((uint64_t)size * (i == 0 ? mapping.repeat_u : mapping.repeat_v), 0));
+    set_wide(&u, forms.m[i], d, step);
+    if (!set_axis(&q, &u, scale, size, &to->axis[i])) return;
+  }
+  to->sure = true;
+}
+
+/* What finds a run's texels: X less `base` is a 2^less / q; below 2^31 and 2^29. */
+typedef struct texel_run {
+  uint32_t q, q_dx;
+  int32_t a[2], a_dx[2], base[2];
+  uint8_t less[2];
+  bool near; /* X less base is within 8 texels */
+} texel_run;
+
+/*
+ * X in Q16 of a run's pixels, less base. q and a are rounded once and at each step: within 17 after 32 pixels. With m = q 2^up normalised, up at most 4,
+ * q is within 2^-22.9 of itself: times X, below 2^11 where it is not near, 2^-11.9 of a texel. Near ones have a reciprocal within 2^-15 and X in 2^-11;
+ * others within 2^-26. Returns those that are too rough.
+ */
+static FC_HOT uint32_t find_near(const texel_run *of, uint8_t count, int32_t *x, int32_t *y) {
+  uint32_t q = of->q, rough = 0, bit = 1;
+  int32_t a = of->a[0], b = of->a[1];
+  const uint32_t q_dx = of->q_dx;
+  const int32_t a_dx = of->a_dx[0], b_dx = of->a_dx[1];
+  const uint8_t a_down = (uint8_t)(16 - of->less[0]), b_down = (uint8_t)(16 - of->less[1]);
+  uint8_t up = 1;
+  do {
+    uint32_t m = q << up;
+    int32_t r;
+    while (!(m >> 31)) {
+      if (up == 5) break;
+      m <<= 1;
+      up++;
+    }
+    while (m >> up != q) m = q << --up;
+    if (up > 4 || !(m >> 31)) {
+      rough |= bit;
+      up = 1;
+    } else {
+      /* a / 2^15 r is X 2^(31 + up - less - ...): a 2^(less + 16) / q = (a / 2^15) r 2^(less + up - 16) */
+      r = (int32_t)fc_recip_q31(m >> 16);
+      *x = fc_floor_shift32(fc_floor_shift32(a, 15) * r, (uint8_t)(a_down - up));
+      *y = fc_floor_shift32(fc_floor_shift32(b, 15) * r, (uint8_t)(b_down - up));
+    }
+    x++;
+    y++;
+    bit <<= 1;
+    q += q_dx;
+    a += a_dx;
+    b += b_dx;
+  } while (--count != 0);
+  return rough;
+}
+
+static FC_HOT uint32_t find_far(const texel_run *of, uint8_t count, int32_t *x, int32_t *y) {
+  uint32_t q = of->q, rough = 0, bit = 1;
+  int32_t a = of->a[0], b = of->a[1];
+  do {
+    const uint8_t up = fc_to_i32(q) > 0 ? fc_clz32(q) : 32;
+    if (up <= 4 && of->less[0] + up <= 14 && of->less[1] + up <= 14) {
+      const uint32_t m = q << up;
+      uint32_t r = fc_recip_q31(m >> 16) << 15; /* 2^62 / m, and a step of Newton's */
+      const int32_t e = (int32_t)(UINT32_C(1) << 30) - (int32_t)fc_mulhi32(m, r);
+      r += (uint32_t)fc_floor_shift32((int32_t)(r >> 16) * fc_floor_shift32(e, 2), 12);
+      *x = fc_floor_shift32(fc_smulhi32(a, r), (uint8_t)(14 - of->less[0] - up));
+      *y = fc_floor_shift32(fc_smulhi32(b, r), (uint8_t)(14 - of->less[1] - up));
+    } else {
+      rough |= bit;
+    }
+    x++;
+    y++;
+    bit <<= 1;
+    q += of->q_dx;
+    a += of->a_dx[0];
+    b += of->a_dx[1];
+  } while (--count != 0);
+  return rough;
+}
+
+/* The word of v / 2^cut, cut -31 .. 60. */
+static int32_t short_of(int64_t v, int8_t cut) {
+  return (int32_t)(cut > 0 ? fc_floor_shift64(v + (INT64_C(1) << (cut - 1)), (uint8_t)cut) : v * (INT64_C(1) << -cut));
+}
+
+/* A form at a run's first pixel. */
+static int64_t form_at(const wide_form *f, const fc_coat_run *run) {
+  return fc_to_i64((uint64_t)f->at + fc_times((uint64_t)f->dx, run->column) + fc_times((uint64_t)f->dy, run->row));
+}
+
+/* v n for a small n. */
+static int64_t small_times(int64_t v, int32_t n) {
+  return fc_to_i64(n < 0 ? 0u - fc_times((uint64_t)v, (uint32_t)-n) : fc_times((uint64_t)v, (uint32_t)n));
+}
+
+/* Forms of a run, whose ends are seen; false when they tell too little. What X is in its middle is taken out, so that it is short. */
+static FC_NOINLINE bool start_run(const fc_coat_texture *texture, const fc_coat_run *run, texel_run *to) {
+  const int32_t steps = run->count - 1;
+  const int64_t q = form_at(&texture->q, run), last = q + small_times(texture->q.dx, steps);
+  const int64_t most = q > last ? q : last;
+  fc_quick inverse;
+  uint8_t i, bits;
+  int8_t cut;
+  if (q <= 0 || last <= 0) return false;
+  cut = (int8_t)(fc_bits64((uint64_t)most) - 31);
+  if (cut < -8) return false; /* Q's own floors */
+  to->q = (uint32_t)short_of(q, cut);
+  to->q_dx = (uint32_t)short_of(texture->q.dx, cut);
+  if (to->q >> 31 != 0) return false; /* rounded up */
+  inverse = fc_quick_recip(fc_quick_from((uint64_t)(q + last), -1));
+  to->near = true;
+  for (i = 0; i < 2; i++) {
+    const fc_coat_axis *axis = &texture->axis[i];
+    int64_t a = form_at(&axis->a, run), dx = axis->a.dx, middle = a + (small_times(dx, steps) >> 1), end;
+    const fc_quick far = fc_quick_mul(fc_quick_from(fc_abs64(middle), 0), inverse);
+    int32_t whole = fc_quick_to_int(far, 0);
+    if (whole >> 14 != 0) return false; /* 2^-26 of it are 2^-12 */
+    if (middle < 0) whole = -whole;
+    a -= small_times(q, whole); /* 38 + 15 bits */
+    dx -= small_times(texture->q.dx, whole);
+    end = a + small_times(dx, steps);
+    bits = fc_bits64(fc_abs64(a) | fc_abs64(end));
+    to->less[i] = bits > 29 + cut ? (uint8_t)(bits - 29 - cut) : 0;
+    /* X less `whole` is a 2^less / q, a below 2^29 */
+    if (to->less[i] > 12) return false;
+    if (to->less[i] > 4) to->near = false;
+    to->a[i] = short_of(a, (int8_t)(cut + to->less[i]));
+    to->a_dx[i] = short_of(dx, (int8_t)(cut + to->less[i]));
+    if (!texture->clamp) {
+      /* modulo size: floor(whole / size) by a value within 2^-25, then right */
+      int32_t images = fc_quick_to_int(fc_quick_mul(fc_quick_from(fc_abs32(whole), 0), axis->inverse), 0);
+      whole -= (whole < 0 ? -images : images) * axis->size;
+    }
+    to->base[i] = whole;
+  }
+  return true;
+}
+
+/* x into 0 .. size - 1: *base, a multiple of size, follows it. */
+FC_INLINE int32_t tiled(int32_t x, int32_t size, int32_t *base) {
+  x -= *base;
+  while (x < 0) {
+    x += size;
+    *base -= size;
+  }
+  while (x >= size) {
+    x -= size;
+    *base += size;
+  }
+  return x;
+}
+
+/* A channel of four texels: weights in Q16 that add up to 1, so 24 bits. */
+FC_INLINE uint32_t mixed(const uint8_t *a, const uint8_t *b, const uint8_t *c, const uint8_t *d, uint32_t wa, uint32_t wb, uint32_t wc, uint32_t wd) {
+#ifdef FC_ROM_FAR
+  uint8_t v[4];
+  FC_READ_ONE(v, a);
+  FC_READ_ONE(v + 1, b);
+  FC_READ_ONE(v + 2, c);
+  FC_READ_ONE(v + 3, d);
+  return v[0] * wa + v[1] * wb + v[2] * wc + v[3] * wd;
+#else
+  return *a * wa + *b * wb + *c * wc + *d * wd;
+#endif
+}
+
+/* A channel of light, levels times 256 / 255, and a texel's: 17 bits, below 1.004 2^16, and 15; 2^-8 and 2^-7 of a level are cut. */
+FC_INLINE uint32_t shaded(const fc_coat_texture *texture, uint8_t channel, uint32_t cosine, uint32_t texel) {
+  return ((texture->base[channel] + texture->slope[channel] * cosine) >> 15) * (texel >> 9);
+}
+
+static FC_HOT void put_texels(const fc_coat *coat, uint32_t bits, const int32_t base[2], const int32_t *x, const int32_t *y, const uint32_t *cosine,
+                              uint8_t *to, uint8_t pixel_bytes) {
+  const fc_coat_texture *texture = &coat->texture;
+  const fc_tint *tint = &coat->scan->tint;
+  const int32_t width = texture->axis[0].size, height = texture->axis[1].size;
+  const bool clamp = texture->clamp, plain = tint->format == FC_RGB565_BE && tint->transfer == NULL;
+  const uint32_t high = UINT32_C(31) << FC_TINT_BITS; /* 31 levels; 63 and more than twice that */
+  int32_t across = -base[0], down = -base[1]; /* what makes X a column and a row */
+  for (; bits != 0; bits >>= 1, x++, y++, cosine++, to += pixel_bytes) {
+    const uint8_t *a, *b, *c, *d;
+    int32_t i, j, right, below;
+    uint32_t wa, wb, wc, wd, v[3];
+    if (!(bits & 1)) continue;
+    wb = (uint32_t)*x & 0xffffu;
+    wc = (uint32_t)*y & 0xffffu;
+    i = fc_floor_shift32(*x, 16);
+    j = fc_floor_shift32(*y, 16);
+    if (clamp) {
+      i -= across;
+      j -= down;
+      right = i < -1 ? 0 : i >= width - 1 ? width - 1 : i + 1;
+      below = j < -1 ? 0 : j >= height - 1 ? height - 1 : j + 1;
+      i = i < 0 ? 0 : i >= width ? width - 1 : i;
+      j = j < 0 ? 0 : j >= height ? height - 1 : j;
+    } else {
+      i = tiled(i, width, &across);
+      j = tiled(j, height, &down);
+      right = i + 1 == width ? 0 : i + 1;
+      below = j + 1 == height ? 0 : j + 1;
+    }
+    wd = wb * wc >> 16;
+    wb -= wd;
+    wc -= wd;
+    wa = 65536 - wb - wc - wd;
+    /* 12 + 12 bits, three bytes each */
+    a = texture->texels + 3 * ((uint32_t)(j * width + i));
+    b = a + 3 * (right - i);
+    below = 3 * width * (below - j);
+    c = a + below;
+    d = b + below;
+    v[0] = shaded(texture, 0, *cosine, mixed(a, b, c, d, wa, wb, wc, wd));
+    v[1] = shaded(texture, 1, *cosine, mixed(a + 1, b + 1, c + 1, d + 1, wa, wb, wc, wd));
+    v[2] = shaded(texture, 2, *cosine, mixed(a + 2, b + 2, c + 2, d + 2, wa, wb, wc, wd));
+    if (plain && v[0] < high && v[1] < 2 * high && v[2] < high) {
+      const uint32_t half = UINT32_C(1) << 22;
+      const uint32_t packed = ((v[0] + half) >> 23 << 6 | (v[1] + half) >> 23) << 5 | (v[2] + half) >> 23;
+      to[0] = (uint8_t)(packed >> 8);
+      to[1] = (uint8_t)packed;
+    } else {
+      fc_coat_put_levels(tint, v, to);
+    }
+  }
+}
+
+static FC_NOINLINE void planar_run(fc_coat *coat, const void *data) {
+  const fc_coat_texture *texture = &coat->texture;
+  fc_coat_run *run = &coat->run;
+  int32_t x[32], y[32];
+  texel_run at;
+  (void)data;
+  if (!texture->sure) {
+    run->slow = run->bits;
+    return;
+  }
+  if (!start_run(texture, run, &at)) {
+    run->slow = run->bits;
+    return;
+  }
+  run->slow |= run->bits & (at.near ? find_near(&at, run->count, x, y) : find_far(&at, run->count, x, y));
+  put_texels(coat, run->bits & ~run->slow, at.base, x, y, run->cosine, fc_scan_pixel(coat->scan, run->row, run->column), coat->scan->pixel_bytes);
+}
+
+const fc_coat_layer fc_coat_layer_texture FC_ROM = {&fc_coat_layers, FC_COAT_COLOURS, fits, planar_start, NULL, planar_run, NULL, NULL, NULL};
