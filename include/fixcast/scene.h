@@ -49,8 +49,7 @@ extern const fc_kind fc_kind_plane;    /* items: fc_plane */
 extern const fc_kind fc_kind_triangle; /* items: fc_triangle, with vertices */
 /* The same with vertices of 16 bits (fc_short_vec3). */
 extern const fc_kind fc_kind_triangle_short;
-/* The same as fc_kind_triangle, for a mesh that is convex. */
-extern const fc_kind fc_kind_convex;
+extern const fc_kind fc_kind_convex;   /* items: fc_triangle, of a convex body that shadows by its outline */
 
 /* A vertex of fc_kind_triangle_short: world coordinates / 2^vertex_shift. */
 typedef struct fc_short_vec3 {

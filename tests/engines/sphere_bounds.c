@@ -24,7 +24,7 @@ static void test_short_way_is_within_its_bound(void) {
   for (trial = 0; trial < 200000; trial++) {
     fc_frame frame;
     fc_scan scan;
-    ball_light light;
+    fc_ball_light light;
     int64_t lights[3];
     int16_t way[3];
     uint32_t error = 0, p;

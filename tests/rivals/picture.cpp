@@ -88,10 +88,11 @@ Picture shapes_of(const fc_scene &scene, const fc_camera &camera, int width, int
         p.object.push_back(plane.object);
       } else {
         const fc_triangle &triangle = static_cast<const fc_triangle *>(table.items)[i];
+        const auto *vertices = static_cast<const fc_vec3 *>(table.vertices);
         shape.kind = Shape::triangle;
-        shape.a = seen(world(table.vertices[triangle.vertex[0]], scene.exponent) - eye);
-        shape.b = seen(world(table.vertices[triangle.vertex[1]], scene.exponent) - eye);
-        shape.c = seen(world(table.vertices[triangle.vertex[2]], scene.exponent) - eye);
+        shape.a = seen(world(vertices[triangle.vertex[0]], scene.exponent) - eye);
+        shape.b = seen(world(vertices[triangle.vertex[1]], scene.exponent) - eye);
+        shape.c = seen(world(vertices[triangle.vertex[2]], scene.exponent) - eye);
         p.object.push_back(triangle.object);
       }
       p.shapes.push_back(shape);
