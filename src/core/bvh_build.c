@@ -30,17 +30,20 @@ static uint8_t depth_for(uint32_t count) {
   return depth;
 }
 
-static size_t node_count(uint8_t depth) { return ((size_t)2 << depth) - 1; }
+static uint32_t node_count(uint8_t depth) { return (UINT32_C(2) << depth) - 1; }
+
+/* 16 + 5 bits at most; where size_t has 16, SIZE_MAX stands for what is too much. */
+static size_t size_of(uint32_t bytes) { return (size_t)bytes == bytes ? (size_t)bytes : SIZE_MAX; }
 
 size_t fc_bvh_bytes(const fc_bvh *bvh) {
   if (bvh->count == 0) return 0;
-  return node_count(bvh->depth) * sizeof(fc_bvh_node) + (size_t)bvh->count * sizeof(uint16_t);
+  return size_of(node_count(bvh->depth) * (uint32_t)sizeof(fc_bvh_node) + bvh->count * (uint32_t)sizeof(uint16_t));
 }
 
 /* With the boxes of all primitives, which are aligned again. */
 static size_t building_bytes(uint32_t count) {
   if (count == 0) return 0;
-  return (node_count(depth_for(count)) + count) * sizeof(fc_bvh_node) + (size_t)((count + 1) / 2) * sizeof(uint32_t);
+  return size_of((node_count(depth_for(count)) + count) * (uint32_t)sizeof(fc_bvh_node) + (count + 1) / 2 * (uint32_t)sizeof(uint32_t));
 }
 
 static int check(const fc_scene *scene_rom, fc_scene *scene) {
@@ -238,7 +241,7 @@ int fc_bvh_build(fc_bvh *bvh, const fc_scene *scene_rom, void *memory, size_t me
   error = check(scene_rom, &scene);
   if (error != FC_OK) return error;
   count = fc_bvh_count(&scene);
-  if (count > 0 && (memory == NULL || memory_bytes < building_bytes(count) ||
+  if (count > 0 && (memory == NULL || memory_bytes < building_bytes(count) || building_bytes(count) == SIZE_MAX ||
                     (uintptr_t)memory % offsetof(struct aligned_u32, value) != 0))
     return FC_ERR_MEMORY;
   bvh->kind = &fc_bvh_balanced;

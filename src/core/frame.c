@@ -21,10 +21,11 @@ static FC_COLD bool aligned(const void *memory) { return (uintptr_t)memory % off
 static FC_COLD size_t memory_of(const fc_scene *scene) {
   fc_space space = fc_space_of_world(scene);
   fc_cursor cursor;
+  /* 16 + 6 bits a table, and 16 bits of tables */
+  uint64_t bytes = scene->light_count * (uint32_t)(3 * sizeof(int64_t)) + (uint64_t)fc_search_marks(scene);
   fc_cursor_start(&cursor, &space);
-  while (fc_cursor_next(&cursor)) {
-  }
-  return cursor.bytes + (size_t)scene->light_count * 3 * sizeof(int64_t) + fc_search_marks(scene);
+  while (fc_cursor_next(&cursor)) bytes += fc_kind_of(&cursor)->memory(&cursor.group.shapes);
+  return bytes < SIZE_MAX ? (size_t)bytes : SIZE_MAX;
 }
 
 FC_COLD size_t fc_frame_memory(const fc_scene *scene_rom, int *error) {
@@ -216,7 +217,7 @@ FC_COLD int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_came
   if (error != FC_OK) return error;
   bytes = fc_frame_memory(scene, &error);
   if (error != FC_OK) return error;
-  if (bytes > 0 && (memory == NULL || memory_bytes < bytes || !aligned(memory))) return FC_ERR_MEMORY;
+  if (bytes > 0 && (memory == NULL || memory_bytes < bytes || bytes == SIZE_MAX || !aligned(memory))) return FC_ERR_MEMORY;
   FC_READ_ONE(&frame->scene, scene);
   FC_READ_ONE(&camera, camera_rom);
   frame->memory = memory;

@@ -82,7 +82,7 @@ struct fc_kind {
   /* Checks the table's items; FC_OK or an error. */
   int (*check)(const fc_scene *scene, const fc_shapes *shapes);
   /* Bytes of camera-space memory, a multiple of 8. */
-  size_t (*memory)(const fc_shapes *shapes);
+  uint32_t (*memory)(const fc_shapes *shapes);
   /* Greatest distance from the eye that the frame's grid has to hold, in units of 2^-fine world coordinates; or, where it is not within
    * 2^-21 below a power of two, any that lies between the same two and not there either: all that matters to a grid. */
   fc_num (*extent)(const fc_view *view, const fc_shapes *shapes);

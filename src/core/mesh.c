@@ -30,7 +30,7 @@ uint32_t fc_recip_q63(uint32_t m) {
   return r + rest_high;
 }
 
-size_t fc_mesh_memory(const fc_shapes *shapes) { return (fc_mesh_bytes(shapes) + 7) / 8 * 8; }
+uint32_t fc_mesh_memory(const fc_shapes *shapes) { return (fc_mesh_bytes(shapes) + 7) / 8 * 8; }
 
 /* v as m / 2^down with m in 2^31 .. 2^32-1. */
 static uint32_t split(fc_num v, int32_t *down) {

@@ -86,9 +86,10 @@ static inline const uint8_t *fc_mesh_casts(const fc_placed_mesh *mesh, const fc_
 }
 
 /* Where those end; a convex mesh keeps its outline after them (outline.h). */
-static inline size_t fc_mesh_bytes(const fc_shapes *shapes) {
-  const size_t bytes = sizeof(fc_placed_mesh) + (size_t)shapes->vertex_count * sizeof(fc_placed_vertex) +
-                       (size_t)shapes->count * sizeof(uint16_t) + ((size_t)shapes->count + 7) / 8;
+static inline uint32_t fc_mesh_bytes(const fc_shapes *shapes) {
+  /* 16 + 5 bits at most */
+  const uint32_t bytes = (uint32_t)sizeof(fc_placed_mesh) + shapes->vertex_count * (uint32_t)sizeof(fc_placed_vertex) +
+                         shapes->count * (uint32_t)sizeof(uint16_t) + ((uint32_t)shapes->count + 7) / 8;
   return (bytes + 3) / 4 * 4;
 }
 
@@ -101,7 +102,7 @@ static inline uint8_t fc_seen_exponent(uint32_t seen) { return (uint8_t)(seen & 
 /* 2^63 / m for m in 2^31 .. 2^32-1, relative error below 2^-28.5, at most 2^32 - 1. */
 uint32_t fc_recip_q63(uint32_t m);
 
-size_t fc_mesh_memory(const fc_shapes *shapes);
+uint32_t fc_mesh_memory(const fc_shapes *shapes);
 
 /* Fills a placed mesh, all but the casting bits. */
 void fc_mesh_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);

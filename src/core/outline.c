@@ -41,8 +41,8 @@ static const outline *known_outline(const fc_group *group) {
 
 static uint16_t *links_of(const outline *line) { return (uint16_t *)(uintptr_t)(line + 1); }
 
-size_t fc_convex_memory(const fc_shapes *shapes) {
-  return (fc_mesh_bytes(shapes) + sizeof(outline) + (size_t)shapes->vertex_count * sizeof(uint16_t) + 7) / 8 * 8;
+uint32_t fc_convex_memory(const fc_shapes *shapes) {
+  return (fc_mesh_bytes(shapes) + (uint32_t)sizeof(outline) + shapes->vertex_count * (uint32_t)sizeof(uint16_t) + 7) / 8 * 8;
 }
 
 /* ---- finding it ---- */

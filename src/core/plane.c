@@ -24,7 +24,7 @@ static FC_COLD int check(const fc_scene *scene, const fc_shapes *shapes) {
   return FC_OK;
 }
 
-static FC_COLD size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_plane); }
+static FC_COLD uint32_t memory(const fc_shapes *shapes) { return shapes->count * (uint32_t)sizeof(fc_placed_plane); }
 
 static FC_COLD void normal_of(const fc_plane *p, int64_t n[3]) {
   n[0] = p->normal.x;

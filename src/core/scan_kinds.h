@@ -64,7 +64,7 @@ void fc_triangle_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind,
 bool fc_triangle_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
                        int64_t radius, fc_window *window);
 
-size_t fc_convex_memory(const fc_shapes *shapes);
+uint32_t fc_convex_memory(const fc_shapes *shapes);
 void fc_convex_strip(fc_scan *scan, uint16_t rows);
 void fc_convex_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
 void fc_convex_cast(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_group *group);

@@ -683,7 +683,7 @@ static FC_COLD uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, 
   for (; p != end; p++) {
     int8_t within = 0;
     if (ball->drop >= 0 && ball->drop < 32)
-      within = fc_scan_far(scan, row, (uint16_t)(column + (p - ps)), *p >> ball->drop, ball->error + 1);
+      within = fc_scan_far(scan, row, (uint16_t)(column + (uint16_t)(p - ps)), *p >> ball->drop, ball->error + 1);
     if (within == 0) open |= UINT32_C(1) << (p - ps);
     if (within <= 0) *p = 0;
   }

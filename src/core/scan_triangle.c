@@ -506,7 +506,7 @@ static FC_NOINLINE void finish(fc_brush *brush) {
   set_tint(brush);
   {
     /* light's forms start where the triangle's band does, whichever rows of it the strip holds */
-    int32_t begin = scan->y & ~(brush->high - 1), end = scan->y | (brush->high - 1);
+    int32_t begin = (int32_t)scan->y & ~((int32_t)brush->high - 1), end = (int32_t)scan->y | ((int32_t)brush->high - 1);
     if (begin < brush->top) begin = brush->top;
     if (end > brush->bottom) end = brush->bottom;
     scan->first_row = (uint8_t)(scan->y - begin);

@@ -17,7 +17,7 @@ FC_COLD void fc_cursor_start(fc_cursor *cursor, const fc_space *space) {
 
 FC_COLD bool fc_cursor_next(fc_cursor *cursor) {
   const fc_space *space = cursor->space;
-  if (cursor->table > 0) cursor->bytes += fc_kind_of(cursor)->memory(&cursor->group.shapes);
+  if (cursor->table > 0) cursor->bytes += (size_t)fc_kind_of(cursor)->memory(&cursor->group.shapes);
   if (cursor->table == space->scene->shape_count) return false;
   cursor->group.first = (uint16_t)(cursor->group.first + cursor->group.shapes.count);
   FC_READ_ONE(&cursor->group.shapes, space->scene->shapes + cursor->table);

@@ -25,7 +25,7 @@ static FC_COLD int check(const fc_scene *scene, const fc_shapes *shapes) {
   return FC_OK;
 }
 
-static FC_COLD size_t memory(const fc_shapes *shapes) { return (size_t)shapes->count * sizeof(fc_placed_sphere); }
+static FC_COLD uint32_t memory(const fc_shapes *shapes) { return shapes->count * (uint32_t)sizeof(fc_placed_sphere); }
 
 /* |offset| + radius 2^fine, within 2^-12: the longest of all has 15 bits, each is less than 1 short, and so the sum less than 3. */
 static FC_COLD fc_quick quick_reach(const int64_t offset[3], uint64_t radius, uint8_t fine) {

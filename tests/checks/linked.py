@@ -37,7 +37,7 @@ def main(arguments):
     report.check(len(units) >= 28, f"{archive} has only {len(units)} of the units")
     small = {name for _, name in external(nm, sphere_only)}
     large = {name for _, name in external(nm, every_unit)}
-    report.check("fc_kind_sphere" in small and "fc_render_rows" in small, f"{sphere_only} is not the image that was meant")
+    report.check("fc_kind_sphere" in small and "fc_render_rows_in" in small, f"{sphere_only} is not the image that was meant")
     report.check(not KINDS & small, f"a scene of spheres links {', '.join(KINDS & small)}")
     for member, names in sorted(units.items()):
         report.check(not names & small, f"a scene of spheres links {', '.join(sorted(names & small))} of {member}")

@@ -12,11 +12,12 @@ static const fc_camera camera FC_ROM = {
 
 int main(void) {
   static int64_t memory[256];
+  static fc_scratch scratch;
   static uint16_t pixels[8 * 8], depth[8 * 8];
   fc_frame frame;
   const fc_target target = {.pixels = pixels, .pitch_bytes = 16, .format = FC_RGB565_BE, .depth = depth};
   int error = fc_frame_setup(&frame, &scene, &camera, NULL, 8, 8, memory, sizeof memory);
-  if (error == FC_OK) error = fc_render_rows(&frame, 0, 8, &target);
+  if (error == FC_OK) error = fc_render_rows_in(&scratch, &frame, 0, 8, &target);
   /* the ball fills the middle and the corner is empty */
   return error == FC_OK && depth[4 * 8 + 4] != 0 && depth[0] == 0 ? 0 : 1;
 }
