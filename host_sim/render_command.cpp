@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -39,21 +40,24 @@ struct RenderOptions : SceneOptions {
   bool shows(const std::string &layer) const { return show == layer || std::find(layers.begin(), layers.end(), layer) != layers.end(); }
 };
 
-/* Depth codes as greys for people: stretched so that the farthest surface is a dark grey and the nearest white, in the order
- * of the codes; nothing there is black. */
+/* Depth codes as greys for people, in the order of the codes and by their ranks: a floor that goes on to the horizon has most of the codes, and
+ * would leave one white for all that stands on it. The farthest surface is a dark grey; nothing there is black. */
 std::vector<std::uint16_t> depth_greys(std::vector<std::uint16_t> codes) {
-  constexpr std::uint32_t darkest = 6000, white = 65535;
-  std::uint32_t low = white, high = 0;
-  for (std::uint32_t code : codes) {
+  constexpr std::uint64_t darkest = 6000, white = 65535;
+  std::map<std::uint16_t, std::uint64_t> pixels;
+  std::uint64_t all = 0, below = 0;
+  for (const std::uint16_t code : codes) {
     if (code == 0) continue;
-    low = std::min(low, code);
-    high = std::max(high, code);
+    pixels[code]++;
+    all++;
   }
-  for (std::uint16_t &code : codes) {
-    if (code == 0) continue;
-    const std::uint32_t range = std::max(high - low, 1u);
-    code = static_cast<std::uint16_t>(darkest + ((code - low) * (white - darkest) + range / 2) / range);
+  std::map<std::uint16_t, std::uint16_t> grey;
+  for (const auto &[code, count] : pixels) {
+    grey[code] = static_cast<std::uint16_t>(darkest + (white - darkest) * (2 * below + count) / (2 * all));
+    below += count;
   }
+  for (std::uint16_t &code : codes)
+    if (code != 0) code = grey[code];
   return codes;
 }
 
@@ -241,7 +245,7 @@ void add_render_command(CLI::App &app, Action &action) {
                    "write the frame: .png, .ppm, .gif and others in 8 bits a channel; .exr with all layers as channels; with --path "
                    "frame_%04d.png or an animated .gif")
       ->type_name("FRAME.png");
-  command->add_option("--depth", options->depth_path, "write the depth codes stretched to 16-bit greys, nearer is brighter")
+  command->add_option("--depth", options->depth_path, "write the depth codes by rank as 16-bit greys, nearer is brighter")
       ->type_name("DEPTH.png");
   command->add_option("--bits", options->bits, "bits a channel of a .png or .tif: 8 (default) or 16")
       ->check(CLI::IsMember({8, 16}))
