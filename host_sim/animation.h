@@ -23,9 +23,9 @@ public:
 };
 
 struct AnimationOptions {
-  unsigned frames = 0;    /* how many to show; 0: until a signal comes */
-  double fps = 0;         /* at most so many a second; 0: as many as can be */
-  int strip_rows = 16;    /* rounded up to what the display can take */
+  unsigned frames = 0;       /* how many to show; 0: until a signal comes */
+  double fps = 0;            /* at most so many a second; 0: as many as can be */
+  int strip_rows = 16;       /* rounded up to what the display can take */
   bool whole_frames = false; /* a signal ends the animation after a frame only, not after a strip */
 };
 

@@ -18,39 +18,37 @@
 namespace host {
 namespace {
 
-[[noreturn]] void fail_errno(const std::string &path, int error)
-{
+[[noreturn]] void fail_errno(const std::string &path, int error) {
   const char *advice = "try another path";
   switch (error) {
-  case ENOENT:
-    advice = path.empty() ? "give the file a name" : "create its directory first";
-    break;
-  case EACCES:
-  case EPERM:
-  case EROFS:
-    advice = "choose a file and a directory that you may write to";
-    break;
-  case EISDIR:
-    advice = "name a file in it";
-    break;
-  case ENOTDIR:
-    advice = "check the directories in the path";
-    break;
-  case ENAMETOOLONG:
-    advice = "choose a shorter name";
-    break;
-  case ENOSPC:
-  case EDQUOT:
-  case EFBIG:
-    advice = "free some space or choose another disk";
-    break;
+    case ENOENT:
+      advice = path.empty() ? "give the file a name" : "create its directory first";
+      break;
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      advice = "choose a file and a directory that you may write to";
+      break;
+    case EISDIR:
+      advice = "name a file in it";
+      break;
+    case ENOTDIR:
+      advice = "check the directories in the path";
+      break;
+    case ENAMETOOLONG:
+      advice = "choose a shorter name";
+      break;
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+      advice = "free some space or choose another disk";
+      break;
   }
   fail_write(path, std::generic_category().message(error), advice);
 }
 
 /* Where the bytes shall end up: symbolic links resolved, and surely not a directory or a device. */
-std::string find_target(const std::string &path)
-{
+std::string find_target(const std::string &path) {
   std::string target = path;
   std::error_code error;
   if (std::filesystem::is_symlink(path, error)) { /* replace what the link names, not the link */
@@ -79,8 +77,7 @@ std::string find_target(const std::string &path)
 /* A file that is removed again unless it gets its final name. */
 class Temporary {
 public:
-  Temporary(const std::string &path, const std::string &target)
-  {
+  Temporary(const std::string &path, const std::string &target) {
     const std::filesystem::path directory = std::filesystem::path(target).parent_path();
     for (int attempt = 0; file_ < 0; attempt++) {
       /* Without the target's own name: one that is just short enough would become too long. */
@@ -93,8 +90,7 @@ public:
     }
   }
 
-  ~Temporary()
-  {
+  ~Temporary() {
     if (file_ >= 0) {
       close(file_);
     }
@@ -106,8 +102,7 @@ public:
   Temporary &operator=(const Temporary &) = delete;
 
   /* This and rename: true, or false with errno. */
-  bool write_and_close(const std::string &bytes)
-  {
+  bool write_and_close(const std::string &bytes) {
     std::size_t done = 0;
     while (done < bytes.size()) {
       const ssize_t count = write(file_, bytes.data() + done, bytes.size() - done);
@@ -121,8 +116,7 @@ public:
     return close(file) == 0;
   }
 
-  bool rename(const std::string &target)
-  {
+  bool rename(const std::string &target) {
     renamed_ = std::rename(name_.c_str(), target.c_str()) == 0;
     return renamed_;
   }
@@ -135,13 +129,11 @@ private:
 
 } // namespace
 
-void fail_write(const std::string &path, const std::string &reason, const std::string &advice)
-{
+void fail_write(const std::string &path, const std::string &reason, const std::string &advice) {
   throw UserError(path + ": cannot write: " + reason + "; " + advice);
 }
 
-void write_file(const std::string &path, const std::string &bytes)
-{
+void write_file(const std::string &path, const std::string &bytes) {
   const std::string target = find_target(path);
   Temporary temporary(path, target);
   if (!temporary.write_and_close(bytes) || !temporary.rename(target)) {

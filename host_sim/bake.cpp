@@ -101,7 +101,7 @@ std::string c_image(const std::string &name, const CoreLayers &layers) {
   const NarrowTexels texels = narrow_texels(layers);
   const bool palette = texels.format == NarrowTexels::Format::palette;
   std::string text = texels.format == NarrowTexels::Format::rgb565 ? c_numbers("uint16_t", name + "_texels", texels.packed)
-                                                                    : c_numbers("uint8_t", name + "_texels", texels.bytes);
+                                                                   : c_numbers("uint8_t", name + "_texels", texels.bytes);
   const char *format = texels.format == NarrowTexels::Format::rgb565  ? "FC_TEXEL_RGB565"
                        : texels.format == NarrowTexels::Format::grey8 ? "FC_TEXEL_GREY8"
                                                                       : "FC_TEXEL_RGB888";
@@ -134,9 +134,12 @@ std::string c_layers(const std::string &name, const CoreLayers &layers) {
     } else {
       kind = "texture";
       const fc_mapping &m = layers.mapping;
-      const char *how = m.kind == &fc_mapping_planar ? "planar" : m.kind == &fc_mapping_spherical ? "spherical" : "vertices";
+      const char *how = m.kind == &fc_mapping_planar ? "planar" : m.kind == &fc_mapping_spherical ? "spherical"
+                                                                                                  : "vertices";
+      /* clang-format off */
       text += record("fc_mapping", "_mapping", std::string("&fc_mapping_") + how + ", " + c_vec3(m.origin) + ", " + c_vec3(m.u) + ", " +
                                                    c_vec3(m.v) + ", " + c_int(m.exponent) + ", " + c_int(m.repeat_u) + ", " + c_int(m.repeat_v));
+      /* clang-format on */
       std::string pattern = "checker", what = "_checker";
       if (layers.texture.pattern == &fc_texture_image) {
         text += c_image(name, layers);
@@ -145,8 +148,10 @@ std::string c_layers(const std::string &name, const CoreLayers &layers) {
       } else {
         text += record("fc_checker", "_checker", "{" + c_rgb(layers.checker.colour[0]) + ", " + c_rgb(layers.checker.colour[1]) + "}");
       }
+      /* clang-format off */
       text += record("fc_texture", "_texture", "&" + name + "_mapping, &fc_texture_" + pattern + ", &" + name + what + ", " +
                                                    c_int(layers.texture.modulate));
+      /* clang-format on */
     }
     if (layer.data != nullptr) data = "&" + name + "_" + kind;
     list += "{&fc_layer_" + kind + ", " + data + "}, ";
@@ -240,10 +245,10 @@ std::string c_name_of(const std::string &path) {
 
 bool is_c_name(const std::string &name) {
   static const std::array<const char *, 37> keywords = {
-      "auto",     "break",    "case",   "char",     "const",  "continue", "default", "do",     "double", "else",
-      "enum",     "extern",   "float",  "for",      "goto",   "if",       "inline",  "int",    "long",   "main",
-      "register", "restrict", "return", "short",    "signed", "sizeof",   "static",  "struct", "switch", "typedef",
-      "union",    "unsigned", "void",   "volatile", "while",  "asm",      "NULL"};
+      "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else",
+      "enum", "extern", "float", "for", "goto", "if", "inline", "int", "long", "main",
+      "register", "restrict", "return", "short", "signed", "sizeof", "static", "struct", "switch", "typedef",
+      "union", "unsigned", "void", "volatile", "while", "asm", "NULL"};
   if (name.empty() || !is_letter(name[0]) || name[0] == '_' || name.size() > 100) return false;
   if (!std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); })) return false;
   if (name.rfind("fc_", 0) == 0 || name.rfind("FC_", 0) == 0) return false;

@@ -108,7 +108,8 @@ private:
     ColourError best_error;
     for (const OracleAnswer &answer : truth.answers) {
       const bool object = answer.object == picture_.object[i];
-      const int rank = !object ? 0 : same_light(picture_.lit[i], answer, lights_) ? 2 : 1;
+      const int rank = !object ? 0 : same_light(picture_.lit[i], answer, lights_) ? 2
+                                                                                  : 1;
       const ColourError error = colour_error(rgb, answer, frame_.get().options.transfer);
       if (rank > best_rank || (rank == best_rank && error.square_sum < best_error.square_sum)) {
         best = &answer;

@@ -36,15 +36,15 @@ struct Comparison {
   std::size_t light_tests = 0;   /* surface pixels times lights */
   std::size_t false_shadows = 0; /* lit, but the core says not: acne */
   std::size_t leaks = 0;         /* not lit, but the core says so */
-  double colour_rmse = 0;       /* over all channels of all pixels, in 8-bit levels */
+  double colour_rmse = 0;        /* over all channels of all pixels, in 8-bit levels */
   double colour_max = 0;
   std::size_t wrong_colour = 0; /* pixels of the right object and lights that are more than a level off: what a mirror or a texture shows there */
-  double depth_rel_max = 0; /* |z - true z| / true z over surface pixels of the right object */
+  double depth_rel_max = 0;     /* |z - true z| / true z over surface pixels of the right object */
   std::size_t escalated = 0, ties = 0;
   std::vector<WrongPixel> wrong;
   std::vector<WrongColour> off; /* the pixels of wrong_colour */
-  std::vector<float> error; /* a pixel: the largest error of a colour channel, 8-bit levels */
-  Image8 truth;             /* the oracle's picture, rounded to 8 bits */
+  std::vector<float> error;     /* a pixel: the largest error of a colour channel, 8-bit levels */
+  Image8 truth;                 /* the oracle's picture, rounded to 8 bits */
 };
 
 /* Whether light masks, the core's and the oracle's, agree; with more than 32 lights the core's last bit

@@ -45,8 +45,10 @@ double decode_half(std::uint16_t code) {
 
 const std::vector<NamedDepthFormat> &depth_formats() {
   static const std::vector<NamedDepthFormat> all = {
+      /* clang-format off */
       {"e2m14", DepthFormat::e2m14},   {"e3m13", DepthFormat::e3m13},     {"e4m12", DepthFormat::e4m12},
       {"linear", DepthFormat::linear}, {"inverse", DepthFormat::inverse}, {"half", DepthFormat::half_float}};
+  /* clang-format on */
   return all;
 }
 

@@ -14,7 +14,7 @@
 namespace host {
 
 enum class DepthFormat {
-  e2m14,     /* float of near/z, 2 exponent bits */
+  e2m14, /* float of near/z, 2 exponent bits */
   e3m13,
   e4m12,
   linear,    /* z between near and far in equal steps */

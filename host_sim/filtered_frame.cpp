@@ -23,7 +23,8 @@ double light_of(std::size_t level, const fc_transfer *transfer) {
 /* The level of 31, 63 or 255 that shows a light: as the core decides it. */
 std::uint8_t level_of(double light, unsigned most, const fc_transfer *transfer) {
   if (transfer == nullptr) return static_cast<std::uint8_t>(std::lround(std::clamp(light, 0.0, 1.0) * most));
-  const std::uint32_t *table = most == 31 ? transfer->level31 : most == 63 ? transfer->level63 : transfer->level255;
+  const std::uint32_t *table = most == 31 ? transfer->level31 : most == 63 ? transfer->level63
+                                                                           : transfer->level255;
   return static_cast<std::uint8_t>(std::upper_bound(table, table + most, std::ldexp(light, 24)) - table);
 }
 

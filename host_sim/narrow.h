@@ -19,7 +19,12 @@ std::optional<std::uint8_t> short_vertex_shift(const CoreScene &core);
 
 /* An image's texels in the format with the fewest bytes. */
 struct NarrowTexels {
-  enum class Format { rgb888, rgb565, grey8, palette };
+  enum class Format {
+    rgb888,
+    rgb565,
+    grey8,
+    palette
+  };
   Format format = Format::rgb888;
   std::vector<std::uint8_t> bytes;   /* of all formats but rgb565 */
   std::vector<std::uint16_t> packed; /* of rgb565 */

@@ -30,21 +30,19 @@ constexpr std::size_t max_line_bytes = 4096;
 constexpr int max_object = 65535;
 constexpr int max_vertices = 65535;
 constexpr std::size_t max_cone_triangles = 100000; /* more than the core takes */
-constexpr std::size_t max_fraction_digits = 18; /* both halves are exact in a long double: one rounding */
+constexpr std::size_t max_fraction_digits = 18;    /* both halves are exact in a long double: one rounding */
 constexpr long double max_magnitude = 1e30L;
 constexpr long double min_magnitude = 1e-4000L; /* below this a long double starts to lose digits */
 constexpr long double max_intensity = 1e6L;
 constexpr long double max_tan_half_fov = 1000;
 constexpr long double parallel_tolerance = 1e-12L; /* sine of the angle between up and the view direction */
 
-[[noreturn]] void fail(const std::string &path, int line, const std::string &sentence)
-{
+[[noreturn]] void fail(const std::string &path, int line, const std::string &sentence) {
   throw UserError(path + ":" + std::to_string(line) + ": " + sentence);
 }
 
 /* A token as it may stand in a message: short, and in printable characters only. */
-std::string quoted(std::string_view token)
-{
+std::string quoted(std::string_view token) {
   constexpr std::size_t longest = 40;
   std::string text = "'";
   for (const char c : token.substr(0, longest)) {
@@ -54,8 +52,7 @@ std::string quoted(std::string_view token)
 }
 
 /* A line without its end, after a look at its bytes. */
-std::string_view checked_line(const std::string &path, int number, std::string_view line)
-{
+std::string_view checked_line(const std::string &path, int number, std::string_view line) {
   if (!line.empty() && line.back() == '\n') {
     line.remove_suffix(1);
   }
@@ -66,8 +63,10 @@ std::string_view checked_line(const std::string &path, int number, std::string_v
     const auto byte = static_cast<unsigned char>(line[i]);
     if ((byte < 0x20 && byte != '\t') || byte == 0x7f) {
       char message[100];
-      std::snprintf(message, sizeof message, "not a text file (byte 0x%02x in column %zu); "
-                    "save the scene as plain text", byte, i + 1);
+      std::snprintf(message, sizeof message,
+                    "not a text file (byte 0x%02x in column %zu); "
+                    "save the scene as plain text",
+                    byte, i + 1);
       fail(path, number, message);
     }
   }
@@ -78,8 +77,7 @@ std::string_view checked_line(const std::string &path, int number, std::string_v
 }
 
 /* A run over the first bytes before anything is parsed, so that a file which is no scene at all is refused by its real fault. */
-void check_ahead(const std::string &path, std::string_view text)
-{
+void check_ahead(const std::string &path, std::string_view text) {
   TextLines lines(text, LineEnd::lf);
   std::string_view line;
   for (int number = 1; lines.next(line) && (line.back() == '\n' || line.size() > max_line_bytes); number++) {
@@ -87,8 +85,7 @@ void check_ahead(const std::string &path, std::string_view text)
   }
 }
 
-std::vector<std::string_view> split_tokens(std::string_view line)
-{
+std::vector<std::string_view> split_tokens(std::string_view line) {
   std::vector<std::string_view> tokens;
   constexpr const char *blanks = " \t";
   for (std::size_t begin = line.find_first_not_of(blanks); begin != std::string_view::npos;
@@ -104,16 +101,14 @@ std::vector<std::string_view> split_tokens(std::string_view line)
 }
 
 /* Splits the leading digits off `rest`. */
-std::string_view take_digits(std::string_view &rest)
-{
+std::string_view take_digits(std::string_view &rest) {
   const std::size_t count = std::min(rest.find_first_not_of("0123456789"), rest.size());
   const std::string_view digits = rest.substr(0, count);
   rest.remove_prefix(count);
   return digits;
 }
 
-bool all_zero(std::string_view digits)
-{
+bool all_zero(std::string_view digits) {
   return digits.find_first_not_of('0') == std::string_view::npos;
 }
 
@@ -121,8 +116,7 @@ class Reader {
 public:
   explicit Reader(const std::string &path) : path_(path) {}
 
-  SceneFile read(TextLines &lines)
-  {
+  SceneFile read(TextLines &lines) {
     check_ahead(path_, lines.ahead());
     scene_.path = path_;
     scene_.ambient.r = scene_.ambient.g = scene_.ambient.b = Number{"0.1", 0.1L};
@@ -152,8 +146,7 @@ private:
 
   [[noreturn]] void fail_here(const std::string &sentence) const { fail(path_, line_, sentence); }
 
-  void read_line(std::string_view line)
-  {
+  void read_line(std::string_view line) {
     const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
     line.remove_prefix(first);
     constexpr std::string_view mark = "#fc:";
@@ -174,8 +167,7 @@ private:
     }
   }
 
-  void read_entity(const Tokens &tokens)
-  {
+  void read_entity(const Tokens &tokens) {
     const std::string_view keyword = tokens[0];
     if (is_view_field(keyword)) {
       if (!in_view_) {
@@ -209,8 +201,7 @@ private:
     }
   }
 
-  void read_extension(const Tokens &tokens)
-  {
+  void read_extension(const Tokens &tokens) {
     const std::string_view keyword = tokens.empty() ? std::string_view() : tokens[0];
     if (cone_ends_missing_ > 0) {
       fail_here("an extension within a cone; put it above the line c");
@@ -259,8 +250,9 @@ private:
       if (tokens.size() == 1 || (tokens.size() == 2 && tokens[1] == "inverse-square")) {
         scene_.falloff = Falloff::inverse_square;
       } else if (tokens.size() != 2 || tokens[1] != "none") {
-        fail_here("a falloff that is neither inverse-square nor none; write #fc: falloff inverse-square "
-                  "or #fc: falloff none");
+        fail_here(
+            "a falloff that is neither inverse-square nor none; write #fc: falloff inverse-square "
+            "or #fc: falloff none");
       }
     } else if (keyword == "gradient") {
       expect(tokens, 6, "#fc: gradient UPX UPY UPZ R G B");
@@ -271,13 +263,13 @@ private:
     } else if (keyword == "mirror" || keyword == "emission" || keyword == "checker" || keyword == "image") {
       read_layer(tokens);
     } else {
-      fail_here("unknown extension " + quoted(keyword) + " after #fc:; use one of plane object tan_half_fov "
+      fail_here("unknown extension " + quoted(keyword) +
+                " after #fc:; use one of plane object tan_half_fov "
                 "far ambient falloff cone_error gradient sun mirror emission checker image, or # alone for a comment");
     }
   }
 
-  void read_sun(const Tokens &tokens)
-  {
+  void read_sun(const Tokens &tokens) {
     expect(tokens, 6, "#fc: sun X Y Z R G B, X Y Z the direction towards it");
     Light light;
     light.directional = true;
@@ -291,8 +283,7 @@ private:
   }
 
   /* What is said about the material of the last line f. */
-  void read_layer(const Tokens &tokens)
-  {
+  void read_layer(const Tokens &tokens) {
     Material &material = scene_.materials.at(static_cast<std::size_t>(current_material()));
     const std::string_view keyword = tokens[0];
     if (keyword == "mirror") {
@@ -310,8 +301,7 @@ private:
     }
   }
 
-  Texture read_checker(const Tokens &tokens) const
-  {
+  Texture read_checker(const Tokens &tokens) const {
     if (tokens.size() < 8) fail_here("a checker of too few values; write #fc: checker R G B R G B MAPPING");
     Texture texture;
     texture.checker = {colour(tokens, 1, 1, "a checker's colour"), colour(tokens, 4, 1, "a checker's colour")};
@@ -319,8 +309,7 @@ private:
     return texture;
   }
 
-  Texture read_image(const Tokens &tokens) const
-  {
+  Texture read_image(const Tokens &tokens) const {
     if (tokens.size() < 3) fail_here("an image of too few values; write #fc: image FILE.ppm [bilinear] [clamp] [modulate] MAPPING");
     Texture texture;
     const std::filesystem::path name(std::string{tokens[1]});
@@ -337,8 +326,7 @@ private:
     return texture;
   }
 
-  std::shared_ptr<const std::vector<std::uint8_t>> load_texels(const std::string &path, int &width, int &height) const
-  {
+  std::shared_ptr<const std::vector<std::uint8_t>> load_texels(const std::string &path, int &width, int &height) const {
     std::string bytes;
     try {
       bytes = load_text(path);
@@ -358,8 +346,7 @@ private:
     return texels;
   }
 
-  Mapping read_mapping(const Tokens &tokens, std::size_t first) const
-  {
+  Mapping read_mapping(const Tokens &tokens, std::size_t first) const {
     Mapping mapping;
     const std::string_view kind = first < tokens.size() ? tokens[first] : std::string_view();
     std::size_t next = first + 1;
@@ -387,8 +374,7 @@ private:
     return mapping;
   }
 
-  static bool is_view_field(std::string_view keyword)
-  {
+  static bool is_view_field(std::string_view keyword) {
     for (const char *const field : {"from", "at", "up", "angle", "hither", "resolution"}) {
       if (keyword == field) {
         return true;
@@ -397,8 +383,7 @@ private:
     return false;
   }
 
-  void read_view_field(const Tokens &tokens)
-  {
+  void read_view_field(const Tokens &tokens) {
     const std::string_view keyword = tokens[0];
     if (keyword == "from") {
       expect(tokens, 3, "from X Y Z");
@@ -432,8 +417,7 @@ private:
     }
   }
 
-  void read_sphere(const Tokens &tokens)
-  {
+  void read_sphere(const Tokens &tokens) {
     expect(tokens, 4, "s X Y Z RADIUS");
     Sphere sphere;
     sphere.material = current_material();
@@ -448,8 +432,7 @@ private:
     scene_.spheres.push_back(std::move(sphere));
   }
 
-  void read_plane(const Tokens &tokens)
-  {
+  void read_plane(const Tokens &tokens) {
     expect(tokens, 4, "#fc: plane NX NY NZ D");
     Plane plane;
     plane.material = current_material();
@@ -463,8 +446,7 @@ private:
     scene_.planes.push_back(std::move(plane));
   }
 
-  void read_polygon(const Tokens &tokens)
-  {
+  void read_polygon(const Tokens &tokens) {
     with_normals_ = tokens[0] == "pp";
     expect(tokens, 1, with_normals_ ? "pp COUNT" : "p COUNT");
     const int count = integer(tokens[1], 3, max_vertices, "a polygon's vertex count");
@@ -478,8 +460,7 @@ private:
   }
 
   /* "c" with base and apex on lines of their own, X Y Z RADIUS each, or on its own line. */
-  void start_cone(const Tokens &tokens)
-  {
+  void start_cone(const Tokens &tokens) {
     if (tokens.size() != 1 && tokens.size() != 9) {
       expect(tokens, 0, "c alone, then two lines X Y Z RADIUS, or all eight numbers behind it");
     }
@@ -497,8 +478,7 @@ private:
     }
   }
 
-  void read_cone_end(const Tokens &tokens)
-  {
+  void read_cone_end(const Tokens &tokens) {
     if (tokens.size() != 4) {
       fail_here("an end of a cone with " + std::to_string(tokens.size()) + " numbers; write X Y Z RADIUS");
     }
@@ -509,8 +489,7 @@ private:
     }
   }
 
-  void finish_cone()
-  {
+  void finish_cone() {
     cone_ends_missing_ = 0;
     if (cone_.base_radius.value <= 0 && cone_.apex_radius.value <= 0) { /* NFF: seen from inside only; here from both sides */
       for (Number *radius : {&cone_.base_radius, &cone_.apex_radius}) {
@@ -539,8 +518,7 @@ private:
     scene_.cone_error = std::max(scene_.cone_error, cone_error_);
   }
 
-  void read_vertex(const Tokens &tokens)
-  {
+  void read_vertex(const Tokens &tokens) {
     for (const char *const keyword : {"b", "v", "l", "f", "s", "p", "pp", "c"}) {
       if (tokens[0] == keyword) {
         fail_truncated("line " + std::to_string(line_) + " starts with " + quoted(keyword));
@@ -559,15 +537,15 @@ private:
     vertices_missing_--;
   }
 
-  [[noreturn]] void fail_truncated(const std::string &instead) const
-  {
+  [[noreturn]] void fail_truncated(const std::string &instead) const {
+    /* clang-format off */
     fail(path_, scene_.polygons.back().line, "polygon of " + std::to_string(vertices_announced_) +
          " vertices with only " + std::to_string(vertices_announced_ - vertices_missing_) + " of them (" +
          instead + "); add the missing vertices or correct the count");
+    /* clang-format on */
   }
 
-  void read_material(const Tokens &tokens)
-  {
+  void read_material(const Tokens &tokens) {
     expect(tokens, 8, "f R G B Kd Ks SHINE T INDEX");
     Material material;
     material.colour = colour(tokens, 1, 1, "a colour channel");
@@ -580,8 +558,7 @@ private:
     scene_.materials.push_back(std::move(material));
   }
 
-  void read_light(const Tokens &tokens)
-  {
+  void read_light(const Tokens &tokens) {
     Light light;
     if (tokens.size() == 7) {
       light.colour = colour(tokens, 4, max_intensity, "a light channel");
@@ -593,29 +570,27 @@ private:
     scene_.lights.push_back(std::move(light));
   }
 
-  void read_object(const Tokens &tokens)
-  {
+  void read_object(const Tokens &tokens) {
     expect(tokens, 1, "#fc: object N or #fc: object auto");
     fixed_object_ = tokens[1] == "auto" ? 0 : integer(tokens[1], 1, max_object, "an object id");
   }
 
   /* Counts the entity and tells its id; under "#fc: object N" entities are counted all the same. */
-  std::uint16_t next_object()
-  {
+  std::uint16_t next_object() {
     entities_++;
     if (scene_.spheres.size() + scene_.planes.size() + scene_.polygons.size() >= max_primitives) {
       fail_here("more than " + std::to_string(max_primitives) + " primitives; simplify the scene or split it");
     }
     const int object = fixed_object_ != 0 ? fixed_object_ : entities_;
     if (object > max_object) {
-      fail_here("this is entity " + std::to_string(entities_) + ", but ids end at 65535; "
+      fail_here("this is entity " + std::to_string(entities_) +
+                ", but ids end at 65535; "
                 "group entities with #fc: object N");
     }
     return static_cast<std::uint16_t>(object);
   }
 
-  int current_material() const
-  {
+  int current_material() const {
     if (scene_.materials.empty()) {
       fail_here("an entity before the first material; put a line f R G B Kd Ks SHINE T INDEX above it");
     }
@@ -623,8 +598,7 @@ private:
   }
 
   /* Complains unless exactly `count` tokens follow the keyword. */
-  void expect(const Tokens &tokens, std::size_t count, const char *usage) const
-  {
+  void expect(const Tokens &tokens, std::size_t count, const char *usage) const {
     if (tokens.size() != count + 1) {
       fail_here(quoted(tokens[0]) + " is followed by " + std::to_string(tokens.size() - 1) +
                 (tokens.size() == 2 ? " value" : " values") + "; write " + usage);
@@ -632,21 +606,18 @@ private:
   }
 
   /* For what a file may say only once. */
-  void only_if(bool first, const char *what) const
-  {
+  void only_if(bool first, const char *what) const {
     if (!first) {
       fail_here(std::string(what) + "; keep only one");
     }
   }
 
-  void once(bool &seen, const char *what) const
-  {
+  void once(bool &seen, const char *what) const {
     only_if(!seen, what);
     seen = true;
   }
 
-  int integer(std::string_view token, int lowest, int highest, const char *what) const
-  {
+  int integer(std::string_view token, int lowest, int highest, const char *what) const {
     std::string_view rest = token;
     std::string_view digits = take_digits(rest);
     while (digits.size() > 1 && digits[0] == '0') {
@@ -663,8 +634,7 @@ private:
 
   /* The text is kept but for spellings that only make work for its readers: no '+' in front, digits on both
    * sides of a point, and every zero is "0". */
-  Number number(std::string_view token) const
-  {
+  Number number(std::string_view token) const {
     std::string_view rest = token;
     std::string text;
     if (!rest.empty() && (rest[0] == '+' || rest[0] == '-')) {
@@ -715,8 +685,7 @@ private:
   }
 
   Number fraction(std::string_view token, const std::string &sign, std::string_view above,
-                  std::string_view below) const
-  {
+                  std::string_view below) const {
     std::string_view rest = below;
     const std::string_view digits = take_digits(rest);
     if (above.empty() || digits.empty() || !rest.empty()) {
@@ -737,14 +706,12 @@ private:
                   std::strtold(numerator.c_str(), nullptr) / std::strtold(denominator.c_str(), nullptr)};
   }
 
-  [[noreturn]] void fail_not_a_number(std::string_view token) const
-  {
+  [[noreturn]] void fail_not_a_number(std::string_view token) const {
     fail_here(quoted(token) +
               " is not a finite number; write a decimal such as -1.5e3 or a fraction such as 1/2");
   }
 
-  Number ranged(std::string_view token, long double highest, const char *what) const
-  {
+  Number ranged(std::string_view token, long double highest, const char *what) const {
     const Number result = number(token);
     if (result.value < 0 || result.value > highest) {
       char range[60];
@@ -754,26 +721,25 @@ private:
     return result;
   }
 
-  Vector vector(const Tokens &tokens, std::size_t first) const
-  {
+  Vector vector(const Tokens &tokens, std::size_t first) const {
     return Vector{number(tokens[first]), number(tokens[first + 1]), number(tokens[first + 2])};
   }
 
-  Rgb colour(const Tokens &tokens, std::size_t first, long double highest, const char *what) const
-  {
+  Rgb colour(const Tokens &tokens, std::size_t first, long double highest, const char *what) const {
     return Rgb{ranged(tokens[first], highest, what), ranged(tokens[first + 1], highest, what),
                ranged(tokens[first + 2], highest, what)};
   }
 
-  void check_camera() const
-  {
+  void check_camera() const {
     const Camera &camera = scene_.camera;
     if (!has_view_) {
-      fail_here("the file ends without a v block; "
-                "add the lines v, from X Y Z, at X Y Z, up X Y Z and angle DEGREES");
+      fail_here(
+          "the file ends without a v block; "
+          "add the lines v, from X Y Z, at X Y Z, up X Y Z and angle DEGREES");
     }
     if (!has_from_ || !has_at_ || !has_up_) {
-      const std::string field = !has_from_ ? "from" : !has_at_ ? "at" : "up";
+      const std::string field = !has_from_ ? "from" : !has_at_ ? "at"
+                                                               : "up";
       fail(path_, camera.line, "the v block has no " + field + "; add a line " + field + " X Y Z to it");
     }
     if (!has_angle_ && !camera.tan_half_fov) {
@@ -801,8 +767,7 @@ private:
   };
 
   /* Scaled so that the largest component is 1: no product of two components can underflow. */
-  static Direction direction(Direction v)
-  {
+  static Direction direction(Direction v) {
     const long double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
     if (largest > 0) {
       v = {v.x / largest, v.y / largest, v.z / largest};
@@ -830,14 +795,12 @@ private:
 
 } // namespace
 
-SceneFile read_nff(const std::string &path)
-{
+SceneFile read_nff(const std::string &path) {
   TextLines lines(path, LineEnd::lf);
   return Reader(path).read(lines);
 }
 
-SceneFile read_nff_text(const std::string &name, std::string_view text)
-{
+SceneFile read_nff_text(const std::string &name, std::string_view text) {
   TextLines lines(text, LineEnd::lf);
   return Reader(name).read(lines);
 }

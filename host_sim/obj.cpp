@@ -64,14 +64,14 @@ void check_words(const std::string &path, std::size_t number, std::string_view k
   for (const std::string_view word : words)
     if (face ? !is_corner(word) : !is_number(word))
       fail_line(path, number,
-           std::string(face ? "a corner that is not written as 1, 1/2, 1//3 or 1/2/3" : "a word that is not a decimal number") +
-               "; correct it");
+                std::string(face ? "a corner that is not written as 1, 1/2, 1//3 or 1/2/3" : "a word that is not a decimal number") +
+                    "; correct it");
   if (words.size() < (keyword == "vt" ? 1u : 3u))
     fail_line(path, number, "fewer than three " + std::string(face ? "corners" : "numbers") + "; complete the line");
 }
 
-/* A read-only stream over the lines that are used here, each looked at before tinyobjloader sees it; others (vw, t, l, p, ...) would be read by parts of
- * it that trust them. What is wrong is kept and ends the stream, as streams swallow exceptions. */
+/* A read-only stream over the lines that are used here, each looked at before tinyobjloader sees it; others (vw, t, l, p, ...) would be read
+ * by parts of it that trust them. What is wrong is kept and ends the stream, as streams swallow exceptions. */
 class UsedLines : public std::streambuf {
 public:
   UsedLines(const std::string &path, TextLines &lines) : path_(path), lines_(lines) {}

@@ -98,8 +98,7 @@ World<Ball> ball(const World<Wide> &wide) {
   out.forward = ball(wide.forward);
   out.far2 = wide.far2.ball();
   for (const Shape<Wide> &s : wide.shapes) {
-    Shape<Ball> b{s.kind, ball(s.center), s.radius2.ball(), ball(s.normal), s.d.ball(), s.eye_side.ball(),
-                  {}};
+    Shape<Ball> b{s.kind, ball(s.center), s.radius2.ball(), ball(s.normal), s.d.ball(), s.eye_side.ball(), {}};
     for (const Vec<Wide> &v : s.vertices)
       b.vertices.push_back(ball(v));
     out.shapes.push_back(std::move(b));

@@ -18,18 +18,18 @@ namespace host {
 
 /* One admissible answer for a ray. */
 struct OracleAnswer {
-  std::uint16_t object = 0;         /* 0: background */
-  std::uint32_t lit = 0;            /* bit i: light i (of the first 32) reaches the point; all lights count below */
-  bool any_light = false;           /* some light reaches the point */
-  std::array<double, 3> colour{};   /* real-valued, 8-bit levels, clamped to 0..255 */
-  double depth = 0;                 /* distance along the viewing axis (camera z), world units; 0: background */
+  std::uint16_t object = 0;       /* 0: background */
+  std::uint32_t lit = 0;          /* bit i: light i (of the first 32) reaches the point; all lights count below */
+  bool any_light = false;         /* some light reaches the point */
+  std::array<double, 3> colour{}; /* real-valued, 8-bit levels, clamped to 0..255 */
+  double depth = 0;               /* distance along the viewing axis (camera z), world units; 0: background */
 };
 
 struct OraclePixel {
   /* The first answer is the preferred one; further ones exist only for exact ties (a ray through the edge of
    * two polygons, surfaces that coincide), where SPEC's tie rule may pick any of them. */
   std::vector<OracleAnswer> answers;
-  bool escalated = false;           /* needed the 256-bit intervals */
+  bool escalated = false; /* needed the 256-bit intervals */
   bool tie = false;
 };
 

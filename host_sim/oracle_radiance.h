@@ -19,7 +19,11 @@ using Real3 = std::array<long double, 3>;
 
 /* A shape of a SceneFile. */
 struct ShapeOf {
-  enum class Kind { sphere, plane, polygon } kind = Kind::sphere;
+  enum class Kind {
+    sphere,
+    plane,
+    polygon
+  } kind = Kind::sphere;
   std::size_t index = 0;
 };
 

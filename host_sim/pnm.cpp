@@ -16,8 +16,7 @@
 namespace host {
 namespace {
 
-bool is_pnm(const std::string &path, const char *right, const char *wrong, const char *why)
-{
+bool is_pnm(const std::string &path, const char *right, const char *wrong, const char *why) {
   const std::string extension = image_extension(path);
   if (extension == wrong) {
     fail_write(path, why, std::string("let the name end in ") + right);
@@ -25,16 +24,14 @@ bool is_pnm(const std::string &path, const char *right, const char *wrong, const
   return extension == right || extension == ".pnm";
 }
 
-std::string header(const char *magic, int width, int height, int maximum)
-{
+std::string header(const char *magic, int width, int height, int maximum) {
   return std::string(magic) + "\n" + std::to_string(width) + " " + std::to_string(height) + "\n" +
          std::to_string(maximum) + "\n";
 }
 
 } // namespace
 
-std::string image_extension(const std::string &path)
-{
+std::string image_extension(const std::string &path) {
   std::string extension = std::filesystem::path(path).extension().string();
   for (char &c : extension) {
     c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -42,8 +39,7 @@ std::string image_extension(const std::string &path)
   return extension;
 }
 
-bool write_if_pnm(const std::string &path, const Image8 &image)
-{
+bool write_if_pnm(const std::string &path, const Image8 &image) {
   if (!is_pnm(path, ".ppm", ".pgm", "a .pgm file has no colours")) {
     return false;
   }
@@ -53,8 +49,7 @@ bool write_if_pnm(const std::string &path, const Image8 &image)
   return true;
 }
 
-bool write_if_pnm(const std::string &path, const Image16 &image)
-{
+bool write_if_pnm(const std::string &path, const Image16 &image) {
   if (!is_pnm(path, ".pgm", ".ppm", "a .ppm file is for colours, not for depth")) {
     return false;
   }
@@ -67,8 +62,7 @@ bool write_if_pnm(const std::string &path, const Image16 &image)
   return true;
 }
 
-bool read_if_pnm(const std::string &path, Raster &raster)
-{
+bool read_if_pnm(const std::string &path, Raster &raster) {
   const std::string extension = image_extension(path);
   if (extension != ".pnm" && extension != ".ppm" && extension != ".pgm") {
     return false;

@@ -30,7 +30,8 @@ void add_chip(void *context, const fc_linux_node *node, const char *label, unsig
 void add_line(void *context, unsigned offset, const char *name, const char *consumer, bool used, bool output) {
   char text[192];
   (void)std::snprintf(text, sizeof text, "    %3u  %-20s %s  %s%s\n", offset, name[0] != '\0' ? name : "-", output ? "out" : "in ",
-                      used ? "held by " : "free", !used ? "" : consumer[0] != '\0' ? consumer : "the kernel");
+                      used ? "held by " : "free", !used ? "" : consumer[0] != '\0' ? consumer
+                                                                                   : "the kernel");
   static_cast<Listing *>(context)->chips += text;
 }
 

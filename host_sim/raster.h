@@ -10,7 +10,13 @@
 
 namespace host {
 
-enum class SampleType { u8, u16, u32, f16, f32 };
+enum class SampleType {
+  u8,
+  u16,
+  u32,
+  f16,
+  f32
+};
 
 /* "8-bit", "16-bit", "32-bit", "half float", "float". */
 const char *sample_type_name(SampleType type);

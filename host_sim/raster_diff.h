@@ -12,11 +12,11 @@
 namespace host {
 
 struct RasterDifference {
-  std::string mismatch; /* why samples cannot be compared: size, channels, sample types; empty when they can */
+  std::string mismatch;   /* why samples cannot be compared: size, channels, sample types; empty when they can */
   std::size_t pixels = 0; /* in which any sample differs */
   int worst_x = 0, worst_y = 0;
   std::size_t worst_channel = 0;
-  double worst = 0;          /* |a - b| of that sample in its own units */
+  double worst = 0; /* |a - b| of that sample in its own units */
   /* A pixel: its largest difference in 8-bit levels. 255 is from black to white; of floats and 32-bit integers, from the lowest to the highest
    * value in either picture. Never 0 where any sample differs. */
   std::vector<float> levels;

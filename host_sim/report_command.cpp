@@ -21,10 +21,10 @@ struct ReportOptions {
 
 /* Does not come back but for an error. */
 int run_report(const ReportOptions &options) {
-  std::vector<std::string> words = {"python3",     FIXCAST_SOURCE_DIR "/host_sim/report/report.py",
+  std::vector<std::string> words = {"python3", FIXCAST_SOURCE_DIR "/host_sim/report/report.py",
                                     "--simulator", FIXCAST_BUILD_DIR "/fixcast",
-                                    "--bench",     options.bench,
-                                    "--output",    options.output};
+                                    "--bench", options.bench,
+                                    "--output", options.output};
   if (options.stale) words.push_back("--stale");
   std::vector<char *> arguments;
   for (std::string &word : words) arguments.push_back(word.data());

@@ -42,7 +42,8 @@ Choice split(const std::string &text) {
 }
 
 [[noreturn]] void refuse_samples(const std::string &text) {
-  throw UserError("--samples " + text + " is not a pattern; give one, regular:N (N x N cells, 1 to 64), random:N (1 to 4096), "
+  throw UserError("--samples " + text +
+                  " is not a pattern; give one, regular:N (N x N cells, 1 to 64), random:N (1 to 4096), "
                   "jitter:N (a square: 1, 4, 9 .. 4096) or quincunx[:DEPTH[:LEVELS]] (0 to 5; 0 to 255)");
 }
 
@@ -110,7 +111,8 @@ void set_lens(Sampling &sampling, const std::string &text, const CoreScene &core
   } else if (choice.name == "panorama" && choice.none()) {
     lens = {&fc_lens_panorama, nullptr};
   } else {
-    throw UserError("--lens " + text + " is not a lens; give pinhole, orthographic[:SIZE] (world units, such as 2.5), "
+    throw UserError("--lens " + text +
+                    " is not a lens; give pinhole, orthographic[:SIZE] (world units, such as 2.5), "
                     "fisheye[:DEGREES] (1 to 360) or panorama");
   }
 }

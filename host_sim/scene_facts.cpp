@@ -23,6 +23,11 @@ std::size_t bytes(const std::vector<T> &table) {
   return table.size() * sizeof(T);
 }
 
+std::size_t pattern_bytes(const CoreLayers &layers, const NarrowTexels &texels) {
+  if (layers.texels.empty()) return sizeof(fc_checker);
+  return texels.format == NarrowTexels::Format::palette ? sizeof(fc_palette_image) : sizeof(fc_image);
+}
+
 /* The lists, the layers' data and the images. */
 std::size_t layer_bytes(const CoreScene &core) {
   std::size_t sum = 0;
@@ -34,10 +39,7 @@ std::size_t layer_bytes(const CoreScene &core) {
       if (layer.kind == &fc_layer_phong) sum += sizeof(fc_phong);
       if (layer.kind == &fc_layer_mirror) sum += sizeof(fc_mirror);
       if (layer.kind == &fc_layer_emission) sum += sizeof(fc_emission);
-      if (layer.kind == &fc_layer_texture)
-        sum += sizeof(fc_texture) + sizeof(fc_mapping) + (layers->texels.empty()                                     ? sizeof(fc_checker)
-                                                          : texels.format == NarrowTexels::Format::palette ? sizeof(fc_palette_image)
-                                                                                                           : sizeof(fc_image));
+      if (layer.kind == &fc_layer_texture) sum += sizeof(fc_texture) + sizeof(fc_mapping) + pattern_bytes(*layers, texels);
     }
   }
   return sum;
@@ -113,7 +115,8 @@ SceneFacts scene_facts(const LoadedScene &scene) {
   for (const fc_sphere &s : core.spheres) facts.coordinate_bits = std::max({facts.coordinate_bits, bits_of(s.center), bits_of(s.radius)});
   for (const fc_vec3 &v : core.vertices) facts.coordinate_bits = std::max(facts.coordinate_bits, bits_of(v));
   facts.vertex_bytes = short_vertex_shift(core) ? sizeof(fc_short_vec3) : sizeof(fc_vec3);
-  facts.table_bytes = bytes(core.spheres) + bytes(core.planes) + facts.vertex_bytes * core.vertices.size() + bytes(core.triangles) + bytes(core.materials) +
+  facts.table_bytes = bytes(core.spheres) + bytes(core.planes) + facts.vertex_bytes * core.vertices.size() +
+                      bytes(core.triangles) + bytes(core.materials) +
                       bytes(core.lights) + bytes(core.normals) + bytes(core.uvs) + bytes(core.sky) + layer_bytes(core);
   facts.hierarchy_bytes = hierarchy_bytes(core);
   facts.frame_bytes = frame.memory_bytes();

@@ -35,7 +35,11 @@ struct Rgb {
 
 /* How a texture's coordinates are made: include/fixcast/material.h has the kinds. */
 struct Mapping {
-  enum class Kind { planar, spherical, vertices } kind = Kind::spherical;
+  enum class Kind {
+    planar,
+    spherical,
+    vertices
+  } kind = Kind::spherical;
   Vector origin, u, v; /* planar */
   int repeat_u = 1, repeat_v = 1;
 };
@@ -88,7 +92,7 @@ struct Plane {
 /* A simple (perhaps concave) polygon of three or more vertices; normals is empty or one per vertex. */
 struct Polygon {
   std::vector<Vector> vertices;
-  std::vector<Vector> normals; /* shaded smoothly with them */
+  std::vector<Vector> normals;            /* shaded smoothly with them */
   std::vector<std::array<Number, 2>> uvs; /* texture coordinates, empty or one per vertex */
   int material = 0;
   std::uint16_t object = 0;
@@ -122,14 +126,17 @@ struct Gradient {
   int line = 0;
 };
 
-enum class Falloff { none, inverse_square };
+enum class Falloff {
+  none,
+  inverse_square
+};
 
 struct SceneFile {
   std::string path;
   std::vector<std::string> warnings; /* what was read otherwise than its author may think; one sentence each */
   Rgb background;
   std::optional<Gradient> gradient;
-  Rgb ambient;          /* default 0.1 0.1 0.1 */
+  Rgb ambient; /* default 0.1 0.1 0.1 */
   Falloff falloff = Falloff::none;
   std::optional<Number> far; /* surfaces farther along the ray than this are background */
   Camera camera;
@@ -140,7 +147,7 @@ struct SceneFile {
   std::vector<Light> lights;
   int cones = 0;              /* that became polygons (cone_mesh.h), */
   long double cone_error = 0; /* none of which is farther from its cone than this part of the cone's larger radius */
-  int width = 0, height = 0; /* the file's "resolution", 0 when absent */
+  int width = 0, height = 0;  /* the file's "resolution", 0 when absent */
   /* --world-scale N/D: every length (positions, radii, d, far) is to be multiplied by this; with inverse-square
    * falloff light intensities are multiplied by its square, so that the picture stays the same. */
   std::int64_t scale_numerator = 1, scale_denominator = 1;

@@ -180,7 +180,8 @@ LoadedScene load_scene(const SceneOptions &options) {
                                   " left out");
   if (mesh.non_manifold_edges > 0 && is_obj(options.scene))
     scene.file.warnings.push_back(count_text(mesh.non_manifold_edges, "edge") +
-                                  (mesh.non_manifold_edges == 1 ? " is" : " are") + " shared by more than two triangles; the model is no closed surface there");
+                                  (mesh.non_manifold_edges == 1 ? " is" : " are") +
+                                  " shared by more than two triangles; the model is no closed surface there");
   for (const std::string &warning : scene.file.warnings) (void)std::fprintf(stderr, "%s: %s\n", options.scene.c_str(), warning.c_str());
   return scene;
 }

@@ -58,12 +58,12 @@ struct CoreScene {
 
   std::vector<fc_sphere> spheres;
   std::vector<fc_plane> planes;
-  std::vector<fc_vec3> vertices; /* no two of a table alike */
+  std::vector<fc_vec3> vertices;  /* no two of a table alike */
   std::vector<fc_normal> normals; /* empty, or one a vertex */
   std::vector<fc_uv> uvs;         /* empty, or one a vertex */
   std::vector<fc_triangle> triangles;
-  std::vector<TriangleTable> triangle_tables; /* in the scene's order: closed meshes apart from the rest */
-  std::vector<fc_material> materials; /* no two alike without layers */
+  std::vector<TriangleTable> triangle_tables;      /* in the scene's order: closed meshes apart from the rest */
+  std::vector<fc_material> materials;              /* no two alike without layers */
   std::vector<std::unique_ptr<CoreLayers>> layers; /* of materials, nullptr for a matte one */
   std::vector<fc_light> lights;
   std::vector<fc_shapes> shapes; /* spheres, planes, triangles, without the empty ones */

@@ -20,25 +20,21 @@ struct Point {
   std::int64_t x, y;
 };
 
-bool operator==(Point a, Point b)
-{
+bool operator==(Point a, Point b) {
   return a.x == b.x && a.y == b.y;
 }
 
 /* Twice the area of a, b, c; positive when they turn left. */
-Wide cross(Point a, Point b, Point c)
-{
+Wide cross(Point a, Point b, Point c) {
   return Wide{b.x - a.x} * (c.y - a.y) - Wide{b.y - a.y} * (c.x - a.x);
 }
 
-Wide distance_squared(Point a, Point b)
-{
+Wide distance_squared(Point a, Point b) {
   return Wide{b.x - a.x} * (b.x - a.x) + Wide{b.y - a.y} * (b.y - a.y);
 }
 
 /* The polygon in its plane, turning left; empty when it has no area. */
-std::vector<Point> project(const std::vector<Vector> &vertices)
-{
+std::vector<Point> project(const std::vector<Vector> &vertices) {
   using Coordinates = std::array<long double, 3>;
   std::vector<Coordinates> relative;
   Coordinates low{}, high{};
@@ -94,16 +90,14 @@ std::vector<Point> project(const std::vector<Vector> &vertices)
 class Clipper {
 public:
   explicit Clipper(std::vector<Point> points)
-      : points_(std::move(points)), left_(size()), vertices_(points_.size())
-  {
+      : points_(std::move(points)), left_(size()), vertices_(points_.size()) {
     for (int i = 0; i < size(); i++) {
       at(i).previous = (i + size() - 1) % size();
       at(i).next = (i + 1) % size();
     }
   }
 
-  std::vector<std::array<int, 3>> run()
-  {
+  std::vector<std::array<int, 3>> run() {
     for (int i = 0; i < size() && left_ > 3; i++) {
       if (point(i) == point(at(i).next)) {
         clip(i);
@@ -141,16 +135,15 @@ public:
 private:
   struct Vertex {
     int previous = 0, next = 0;
-    int version = 0;       /* tells outdated entries of the queue */
+    int version = 0; /* tells outdated entries of the queue */
     bool gone = false;
-    bool convex = false;   /* strictly */
-    bool listed = false;   /* in blockers_ */
+    bool convex = false; /* strictly */
+    bool listed = false; /* in blockers_ */
   };
 
   struct Ear {
     int shape, tip, version;
-    bool operator<(const Ear &other) const
-    {
+    bool operator<(const Ear &other) const {
       return shape != other.shape ? shape < other.shape : tip > other.tip;
     }
   };
@@ -160,8 +153,8 @@ private:
   const Vertex &at(int i) const { return vertices_[static_cast<std::size_t>(i)]; }
   Point point(int i) const { return points_[static_cast<std::size_t>(i)]; }
 
-  template <typename Action> void for_each_left(Action action)
-  {
+  template <typename Action>
+  void for_each_left(Action action) {
     for (int i = 0; i < size(); i++) {
       if (!at(i).gone) {
         action(i);
@@ -171,8 +164,7 @@ private:
 
   Wide area_at(int i) const { return cross(point(at(i).previous), point(i), point(at(i).next)); }
 
-  void classify(int i)
-  {
+  void classify(int i) {
     at(i).convex = area_at(i) > 0;
     if (!at(i).convex && !at(i).listed) {
       at(i).listed = true;
@@ -181,8 +173,7 @@ private:
   }
 
   /* Puts i into the queue if it is the tip of an ear. */
-  void consider(int i)
-  {
+  void consider(int i) {
     at(i).version++;
     if (at(i).convex && !is_blocked(i)) {
       const Point a = point(at(i).previous), b = point(i), c = point(at(i).next);
@@ -191,8 +182,7 @@ private:
     }
   }
 
-  int pop_ear()
-  {
+  int pop_ear() {
     while (!ears_.empty()) {
       const Ear ear = ears_.top();
       ears_.pop();
@@ -205,8 +195,7 @@ private:
 
   /* Only vertices that are not strictly convex can reach into an ear first. One on the cut blocks as well:
    * cutting there would leave it in the middle of a triangle's edge. */
-  bool is_blocked(int tip)
-  {
+  bool is_blocked(int tip) {
     const Point a = point(at(tip).previous), b = point(tip), c = point(at(tip).next);
     const std::int64_t low_x = std::min({a.x, b.x, c.x}), high_x = std::max({a.x, b.x, c.x});
     const std::int64_t low_y = std::min({a.y, b.y, c.y}), high_y = std::max({a.y, b.y, c.y});
@@ -234,20 +223,17 @@ private:
   }
 
   /* p lies strictly between the legs of the convex angle a, b, c. */
-  static bool is_within(Point a, Point b, Point c, Point p)
-  {
+  static bool is_within(Point a, Point b, Point c, Point p) {
     return cross(a, b, p) > 0 && cross(b, c, p) > 0;
   }
 
-  int find_without_area()
-  {
+  int find_without_area() {
     int found = -1;
     for_each_left([&](int i) { found = found < 0 && area_at(i) == 0 ? i : found; });
     return found;
   }
 
-  void clip(int i)
-  {
+  void clip(int i) {
     Vertex &vertex = at(i);
     triangles_.push_back({vertex.previous, i, vertex.next});
     at(vertex.previous).next = vertex.next;
@@ -256,8 +242,7 @@ private:
     left_--;
   }
 
-  void fan()
-  {
+  void fan() {
     int first = 0;
     while (at(first).gone) {
       first++;
@@ -277,8 +262,7 @@ private:
 
 } // namespace
 
-std::vector<std::array<int, 3>> triangulate(const Polygon &polygon)
-{
+std::vector<std::array<int, 3>> triangulate(const Polygon &polygon) {
   const int count = static_cast<int>(polygon.vertices.size());
   if (count == 3) {
     return {{0, 1, 2}};

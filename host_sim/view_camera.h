@@ -43,9 +43,9 @@ private:
 
   fc_camera first_{};
   ViewAxis axis_;
-  IntVector right_{}, above_{}, back_{}; /* of the first view, Q30 */
+  IntVector right_{}, above_{}, back_{};                                 /* of the first view, Q30 */
   fc_rotation turn_ = FC_ROTATION_NONE, before_drag_ = FC_ROTATION_NONE; /* of the scene, the camera being still; world axes */
-  IntVector moved_{}; /* of the pivot, on the axis' grid */
+  IntVector moved_{};                                                    /* of the pivot, on the axis' grid */
   int nearer_ = 0;
 };
 

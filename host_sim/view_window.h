@@ -9,10 +9,10 @@
 namespace host {
 
 struct WindowOptions {
-  int zoom = 0;       /* pixels a pixel; 0: as large as two thirds of the screen allow */
-  bool spin = false;  /* the scene turns from the start */
-  bool log = false;   /* a line on stdout for each picture */
-  int frames = 0;     /* quit after so many pictures of a turning scene; 0: when the user does */
+  int zoom = 0;                        /* pixels a pixel; 0: as large as two thirds of the screen allow */
+  bool spin = false;                   /* the scene turns from the start */
+  bool log = false;                    /* a line on stdout for each picture */
+  int frames = 0;                      /* quit after so many pictures of a turning scene; 0: when the user does */
   std::string shots = "view_%04d.png"; /* names of screenshots */
 };
 

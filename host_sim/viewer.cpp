@@ -62,7 +62,8 @@ void Viewer::next_offset() {
 
 void Viewer::next_depth() {
   const std::uint8_t bits = scene_.options.depth_exponent_bits;
-  scene_.options.depth_exponent_bits = static_cast<std::uint8_t>(bits == 0 ? 2 : bits == 4 ? 0 : bits + 1);
+  scene_.options.depth_exponent_bits = static_cast<std::uint8_t>(bits == 0 ? 2 : bits == 4 ? 0
+                                                                                           : bits + 1);
 }
 
 void Viewer::next_transfer() {

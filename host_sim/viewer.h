@@ -30,11 +30,11 @@ public:
   /* A name of layer_names(). */
   void show(const std::string &layer) { layer_ = layer; }
   void next_profile();
-  void next_offset(); /* exact shadows, none (acne), an epsilon of 1/256 of the scene */
+  void next_offset();   /* exact shadows, none (acne), an epsilon of 1/256 of the scene */
   void next_depth();    /* exponent bits of a depth code: the scene's, 2, 3, 4 */
   void next_transfer(); /* linear, sRGB, gamma 2.2 */
   void next_samples();  /* a ray a pixel, 2 x 2, quincunx; exact rays, so the profile becomes exact */
-  void toggle_panel(); /* what the panel shows, where there is one */
+  void toggle_panel();  /* what the panel shows, where there is one */
 
   /* Renders. Where the camera ended up inside of something degenerate, the picture stays as it was and status() says why. */
   const Image8 &render();

@@ -6,8 +6,9 @@ namespace host {
 namespace {
 
 [[noreturn]] void fail() {
-  throw UserError("this program was built without libgpiod, so it knows no board's pins; install its development files (Debian: libgpiod-dev) and "
-                  "build again; 'fixcast show --dry-run' works without");
+  throw UserError(
+      "this program was built without libgpiod, so it knows no board's pins; install its development files (Debian: libgpiod-dev) and "
+      "build again; 'fixcast show --dry-run' works without");
 }
 
 } // namespace

@@ -7,7 +7,11 @@
 #include "s1.h"
 #include "sdk_bus.h"
 
-enum { WIDTH = 240, HEIGHT = 240, ROWS = 8 };
+enum {
+  WIDTH = 240,
+  HEIGHT = 240,
+  ROWS = 8
+};
 
 static int draw(const fc_display *display) {
   static int64_t memory[20]; /* fc_frame_memory(&s1, NULL) says how many bytes */

@@ -107,8 +107,10 @@ static void output(uint pin, bool high) {
 }
 
 fc_bus sdk_bus_start(void) {
+  /* clang-format off */
   static const fc_bus_ops ops = {.configure = configure, .clock_hz = clock_hz, .command = command, .data = data, .data_start = data_start,
                                  .wait = wait, .reset = reset, .delay_us = delay_us, .backlight = backlight};
+  /* clang-format on */
   const fc_bus result = {.ops = &ops, .context = NULL};
   output(PIN_CS, true);
   output(PIN_DC, true);

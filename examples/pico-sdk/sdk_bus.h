@@ -4,7 +4,14 @@
 
 #include "fixcast/bus.h"
 
-enum { PIN_DC = 16, PIN_CS = 17, PIN_SCK = 18, PIN_MOSI = 19, PIN_RESET = 20, PIN_BACKLIGHT = 21 };
+enum {
+  PIN_DC = 16,
+  PIN_CS = 17,
+  PIN_SCK = 18,
+  PIN_MOSI = 19,
+  PIN_RESET = 20,
+  PIN_BACKLIGHT = 21
+};
 
 /* Sets up the pins, SPI0, a DMA channel and its interrupt. Once. */
 fc_bus sdk_bus_start(void);

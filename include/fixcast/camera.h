@@ -19,10 +19,10 @@ typedef enum fc_fov_rule {
  * so the field of view spans the shorter side and pixels are square. Read through FC_READ: may live in flash.
  */
 typedef struct fc_camera {
-  fc_vec3 eye, target; /* times 2^exponent, in world coordinates */
-  fc_vec3 up;          /* any length but 0, not parallel to the view */
-  int8_t exponent;     /* -31..31; 0: eye and target are plain world coordinates */
-  uint8_t fov_rule;    /* fc_fov_rule */
+  fc_vec3 eye, target;               /* times 2^exponent, in world coordinates */
+  fc_vec3 up;                        /* any length but 0, not parallel to the view */
+  int8_t exponent;                   /* -31..31; 0: eye and target are plain world coordinates */
+  uint8_t fov_rule;                  /* fc_fov_rule */
   uint32_t tan_half_fov_numerator;   /* tan(half the field of view) = numerator / denominator, */
   uint32_t tan_half_fov_denominator; /* between 2^-16 and 2^16 */
 } fc_camera;

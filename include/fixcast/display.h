@@ -33,10 +33,10 @@ typedef struct fc_area {
 
 /* What a display can show and how it wants areas. */
 typedef struct fc_display_capabilities {
-  uint16_t width, height;    /* pixels */
-  uint8_t format;            /* fc_display_format */
-  uint8_t x_align, y_align;  /* an area's x and width, y and height are multiples of these (1, 2, 4 or 8) */
-  uint8_t asynchronous;      /* 1: write_start returns before the pixels have left; 0: write is called in its place */
+  uint16_t width, height;                      /* pixels */
+  uint8_t format;                              /* fc_display_format */
+  uint8_t x_align, y_align;                    /* an area's x and width, y and height are multiples of these (1, 2, 4 or 8) */
+  uint8_t asynchronous;                        /* 1: write_start returns before the pixels have left; 0: write is called in its place */
   uint8_t has_flush, has_backlight, has_vsync; /* 1: the operation does something; 0: it returns FC_ERR_UNSUPPORTED */
 } fc_display_capabilities;
 
@@ -45,9 +45,9 @@ typedef struct fc_display_ops {
   void (*capabilities)(void *context, fc_display_capabilities *to);
   int (*write)(void *context, const fc_area *area, const void *pixels, size_t pitch_bytes);
   int (*write_start)(void *context, const fc_area *area, const void *pixels, size_t pitch_bytes, fc_ready *ready,
-                     void *ready_context);      /* only called where the capabilities say asynchronous; may be NULL elsewhere */
-  int (*wait)(void *context);                   /* NULL: nothing is ever under way */
-  int (*flush)(void *context);                  /* NULL: not supported, as the next two */
+                     void *ready_context); /* only called where the capabilities say asynchronous; may be NULL elsewhere */
+  int (*wait)(void *context);              /* NULL: nothing is ever under way */
+  int (*flush)(void *context);             /* NULL: not supported, as the next two */
   int (*backlight)(void *context, uint8_t level);
   int (*wait_vsync)(void *context);
 } fc_display_ops;

@@ -21,12 +21,12 @@ int fc_format_bytes(int format);
 
 /* Row 0 of every buffer is the first row rendered, so a strip's buffers need only hold the strip. */
 typedef struct fc_target {
-  void *pixels;          /* rows of `pitch_bytes`; required */
-  size_t pitch_bytes;    /* at least width * bytes of a pixel */
-  uint8_t format;        /* fc_format */
-  uint16_t *depth;       /* rows of width depth codes; required, written. 0: nothing there, else nearer is larger */
-  uint16_t *primitive;   /* rows of width primitive numbers, or NULL. 0xffff: background */
-  uint32_t *lit;         /* rows of width light masks, or NULL: bit i says light i (of the first 32) reaches the point;
+  void *pixels;        /* rows of `pitch_bytes`; required */
+  size_t pitch_bytes;  /* at least width * bytes of a pixel */
+  uint8_t format;      /* fc_format */
+  uint16_t *depth;     /* rows of width depth codes; required, written. 0: nothing there, else nearer is larger */
+  uint16_t *primitive; /* rows of width primitive numbers, or NULL. 0xffff: background */
+  uint32_t *lit;       /* rows of width light masks, or NULL: bit i says light i (of the first 32) reaches the point;
                           * all zero when no light does; light 32 and later show as bit 31 */
 } fc_target;
 

@@ -69,8 +69,8 @@ typedef struct fc_material {
 extern const fc_layer_kind fc_layer_phong;
 /* Data of fc_layer_phong. */
 typedef struct fc_phong {
-  fc_rgb specular;        /* Q1.15 */
-  uint32_t shininess_q8;  /* exponent: 256 is 1.0; 1 .. 2^24 */
+  fc_rgb specular;       /* Q1.15 */
+  uint32_t shininess_q8; /* exponent: 256 is 1.0; 1 .. 2^24 */
 } fc_phong;
 
 /* A perfect mirror in the normal: adds reflectance * what is seen that way, up to `bounces` mirrors in a row (those of the first mirror count);
@@ -92,8 +92,8 @@ typedef struct fc_emission {
   int8_t exponent; /* 0..7 */
 } fc_emission;
 
-/* Smooth shading: triangles are shaded with their vertices' normals (fc_shapes.normals), weighted by the hit's barycentrics, instead of their own. Which lights
- * reach the point stays a matter of the flat triangle. Takes no data, and does nothing to other shapes. Within 2^-13. */
+/* Smooth shading: triangles are shaded with their vertices' normals (fc_shapes.normals), weighted by the hit's barycentrics, instead of their
+ * own. Which lights reach the point stays a matter of the flat triangle. Takes no data, and does nothing to other shapes. Within 2^-13. */
 extern const fc_layer_kind fc_layer_smooth;
 /* For initialisers: the layer of smooth shading. */
 #define FC_SMOOTH \
@@ -101,15 +101,17 @@ extern const fc_layer_kind fc_layer_smooth;
 
 /* How a point gets its texture coordinates (u, v): from 0 to 1 across one tile, u to the right and v downwards as the image is stored. */
 typedef struct fc_mapping_kind fc_mapping_kind;
-extern const fc_mapping_kind fc_mapping_planar;    /* (P - origin) . u / u.u, the same with v: one tile from origin to origin + u + v; within 2^-24
+extern const fc_mapping_kind fc_mapping_planar; /* (P - origin) . u / u.u, the same with v: one tile from origin to origin + u + v; within 2^-24
                                                       of itself and of the tiles away */
-extern const fc_mapping_kind fc_mapping_spherical; /* of the normal in world axes: u from +z over +x once around +y, v from +y down to -y; within 2^-20 */
-extern const fc_mapping_kind fc_mapping_vertices;  /* triangles: fc_shapes.uvs by the hit's barycentrics, so right in perspective; (0, 0) on other shapes */
+/* Of the normal in world axes: u from +z over +x once around +y, v from +y down to -y; within 2^-20. */
+extern const fc_mapping_kind fc_mapping_spherical;
+/* Triangles: fc_shapes.uvs by the hit's barycentrics, so right in perspective; (0, 0) on other shapes. */
+extern const fc_mapping_kind fc_mapping_vertices;
 /* A mapping: how, and where a planar one lies. */
 typedef struct fc_mapping {
   const fc_mapping_kind *kind;
-  fc_vec3 origin, u, v; /* planar: times 2^exponent, in world coordinates; u and v not 0 */
-  int8_t exponent;      /* -31..32 */
+  fc_vec3 origin, u, v;       /* planar: times 2^exponent, in world coordinates; u and v not 0 */
+  int8_t exponent;            /* -31..32 */
   uint8_t repeat_u, repeat_v; /* what comes out is multiplied by these; 1 or more */
 } fc_mapping;
 
@@ -132,11 +134,11 @@ typedef enum fc_texel_format {
 } fc_texel_format;
 /* Levels are proportional to light. Texel (x, y) covers u in x / width .. (x + 1) / width. */
 typedef struct fc_image {
-  const void *texels; /* rows from the top, without gaps; may live in flash */
+  const void *texels;     /* rows from the top, without gaps; may live in flash */
   uint16_t width, height; /* 1..4096 */
-  uint8_t format;     /* fc_texel_format */
-  uint8_t bilinear;   /* 0: the nearest texel; 1: between the four around, weights within 2^-8 */
-  uint8_t clamp;      /* 0: tiles; 1: the border's texels go on for ever */
+  uint8_t format;         /* fc_texel_format */
+  uint8_t bilinear;       /* 0: the nearest texel; 1: between the four around, weights within 2^-8 */
+  uint8_t clamp;          /* 0: tiles; 1: the border's texels go on for ever */
 } fc_image;
 
 /* The same in at most 256 colours: `image.texels` are bytes, each the number of a colour; image.format is FC_TEXEL_RGB888, the colours'. */

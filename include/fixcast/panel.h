@@ -43,32 +43,34 @@ typedef struct fc_panel_turn {
 
 /* A panel. The record and all it points at are in constant memory: code reads them through FC_READ. */
 typedef struct fc_panel {
-  const char *name;           /* "st7789-240" */
-  const uint8_t *init;        /* commands from reset to display on, without the direction, which is sent after them */
-  const uint8_t *off;         /* commands that turn the panel off (display off, sleep in) */
-  uint16_t width, height;     /* of the glass, pixels */
+  const char *name;       /* "st7789-240" */
+  const uint8_t *init;    /* commands from reset to display on, without the direction, which is sent after them */
+  const uint8_t *off;     /* commands that turn the panel off (display off, sleep in) */
+  uint16_t width, height; /* of the glass, pixels */
+                          /* clang-format off */
   fc_panel_turn turn[2];      /* the right way up, and turned by half a circle. Quarter turns are the camera's (fc_camera's up): then the order in
+  /* clang-format on */
                                  which rows are drawn and shown is the same */
-  uint8_t window;             /* fc_panel_window */
-  uint8_t format;             /* fc_display_format after `init` */
-  uint8_t spi_mode;           /* 0 or 3 */
-  uint8_t data_as_commands;   /* 1: data bytes of commands are sent with D/C low (SSD0323, SSD1306) */
-  const uint8_t *format12;    /* commands that switch to FC_DISPLAY_RGB444 (COLMOD 3), or NULL; NULL too where the width is odd */
-  uint32_t init_hz, pixel_hz; /* fastest clocks for `init` (<= 10 MHz) and for pixels, from the data sheet (write cycle) */
+  uint8_t window;                       /* fc_panel_window */
+  uint8_t format;                       /* fc_display_format after `init` */
+  uint8_t spi_mode;                     /* 0 or 3 */
+  uint8_t data_as_commands;             /* 1: data bytes of commands are sent with D/C low (SSD0323, SSD1306) */
+  const uint8_t *format12;              /* commands that switch to FC_DISPLAY_RGB444 (COLMOD 3), or NULL; NULL too where the width is odd */
+  uint32_t init_hz, pixel_hz;           /* fastest clocks for `init` (<= 10 MHz) and for pixels, from the data sheet (write cycle) */
   uint32_t reset_low_us, reset_wait_us; /* how long reset is held, and from its end to the first command */
 } fc_panel;
 
-extern const fc_panel fc_panel_st7789_240 FC_ROM;   /* 240x240 of 240x320, 1.3" and 1.54" */
-extern const fc_panel fc_panel_st7789_135 FC_ROM;   /* 135x240, 1.14" */
-extern const fc_panel fc_panel_st7789_320 FC_ROM;   /* 240x320, 2.0" */
-extern const fc_panel fc_panel_st7789_170 FC_ROM;   /* 170x320, 1.9" */
-extern const fc_panel fc_panel_ili9341 FC_ROM;      /* 240x320 */
-extern const fc_panel fc_panel_st7735_128 FC_ROM;   /* 128x160, 1.8" */
-extern const fc_panel fc_panel_ssd1351 FC_ROM;      /* 128x128 colour OLED */
-extern const fc_panel fc_panel_ssd0323 FC_ROM;      /* 128x64 grey OLED */
-extern const fc_panel fc_panel_ssd1327 FC_ROM;      /* 128x128 grey OLED */
-extern const fc_panel fc_panel_ssd1322 FC_ROM;      /* 256x64 grey OLED */
-extern const fc_panel fc_panel_ssd1306 FC_ROM;      /* 128x64 monochrome OLED */
+extern const fc_panel fc_panel_st7789_240 FC_ROM; /* 240x240 of 240x320, 1.3" and 1.54" */
+extern const fc_panel fc_panel_st7789_135 FC_ROM; /* 135x240, 1.14" */
+extern const fc_panel fc_panel_st7789_320 FC_ROM; /* 240x320, 2.0" */
+extern const fc_panel fc_panel_st7789_170 FC_ROM; /* 170x320, 1.9" */
+extern const fc_panel fc_panel_ili9341 FC_ROM;    /* 240x320 */
+extern const fc_panel fc_panel_st7735_128 FC_ROM; /* 128x160, 1.8" */
+extern const fc_panel fc_panel_ssd1351 FC_ROM;    /* 128x128 colour OLED */
+extern const fc_panel fc_panel_ssd0323 FC_ROM;    /* 128x64 grey OLED */
+extern const fc_panel fc_panel_ssd1327 FC_ROM;    /* 128x128 grey OLED */
+extern const fc_panel fc_panel_ssd1322 FC_ROM;    /* 256x64 grey OLED */
+extern const fc_panel fc_panel_ssd1306 FC_ROM;    /* 128x64 monochrome OLED */
 
 /* All of the above, in the order of `fixcast panels`; ends with NULL. Programs that name one panel do not link the others. */
 extern const fc_panel *const fc_panels[] FC_ROM;

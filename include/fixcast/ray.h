@@ -20,26 +20,26 @@ extern "C" {
 /* Points origin + t direction with t_min < t < t_max (both ends open, so an occluder exactly at a light does not
  * block it). t is measured in lengths of the direction, Q32.32. */
 typedef struct fc_ray {
-  fc_vec3 origin;      /* world coordinates */
-  fc_vec3 direction;   /* any length but 0, within FC_COORDINATE_MAX */
-  uint64_t t_min_q32;  /* 0: just in front of the origin */
-  uint64_t t_max_q32;  /* UINT64_MAX: no limit; hits beyond t = 2^32 are not reported */
+  fc_vec3 origin;     /* world coordinates */
+  fc_vec3 direction;  /* any length but 0, within FC_COORDINATE_MAX */
+  uint64_t t_min_q32; /* 0: just in front of the origin */
+  uint64_t t_max_q32; /* UINT64_MAX: no limit; hits beyond t = 2^32 are not reported */
 } fc_ray;
 
 /* Where a ray meets the scene first. */
 typedef struct fc_hit {
-  uint64_t t_q32;        /* rounded from a value with relative error below 2^-57, saturated at UINT64_MAX */
-  fc_vec3 position;      /* world coordinates; within 1 unit an axis of the exact point; clamped to +-FC_COORDINATE_MAX */
-  fc_vec3 normal_q30;    /* unit length, towards the ray's side; within 2^-28 an axis, on a sphere of
+  uint64_t t_q32;              /* rounded from a value with relative error below 2^-57, saturated at UINT64_MAX */
+  fc_vec3 position;            /* world coordinates; within 1 unit an axis of the exact point; clamped to +-FC_COORDINATE_MAX */
+  fc_vec3 normal_q30;          /* unit length, towards the ray's side; within 2^-28 an axis, on a sphere of
                           * radius r within 2^-28 + 2 / r */
   uint32_t barycentric_q30[3]; /* triangles: weights of the three vertices, within 2^-29; otherwise 0 */
-  uint16_t primitive;    /* number through all tables of the scene, in order */
-  uint16_t object;       /* the id its author gave it */
-  bool inside;           /* the inside of a sphere, or the back of a plane or triangle (normal . direction > 0) */
+  uint16_t primitive;          /* number through all tables of the scene, in order */
+  uint16_t object;             /* the id its author gave it */
+  bool inside;                 /* the inside of a sphere, or the back of a plane or triangle (normal . direction > 0) */
 } fc_hit;
 
-/* The closest hit of the ray; the scene must have passed fc_scene_check. Equal t: the lowest primitive number. A ray through an edge that two triangles
- * share hits exactly one of them. Tangent spheres are hit. Returns 1 with *hit filled, 0 for a miss, or an error. */
+/* The closest hit of the ray; the scene must have passed fc_scene_check. Equal t: the lowest primitive number. A ray through an edge that two
+ * triangles share hits exactly one of them. Tangent spheres are hit. Returns 1 with *hit filled, 0 for a miss, or an error. */
 int fc_intersect(const fc_scene *scene, const fc_ray *ray, fc_hit *hit);
 
 /* Whether the open segment between two points meets any primitive; touching counts, end points do not.

@@ -24,30 +24,30 @@ extern "C" {
 
 /* What a frame gives up for speed (docs/SPEC.md section 11 has the numbers, docs/REPORT.md what it saves on each chip). */
 typedef enum fc_profile {
-  FC_PROFILE_EXACT = 0,  /* nothing: as exact arithmetic decides */
-  FC_PROFILE_FAST = 1,   /* visible primitives and depth exact; a channel within 4/255; where the shadow of a sphere on a plane is
+  FC_PROFILE_EXACT = 0,     /* nothing: as exact arithmetic decides */
+  FC_PROFILE_FAST = 1,      /* visible primitives and depth exact; a channel within 4/255; where the shadow of a sphere on a plane is
                             closer to its edge than its form can tell for certain, what the form says */
-  FC_PROFILE_HALF = 2,   /* a sample for each block of 2x2 pixels, itself exact; drawn by fc_render_profile */
+  FC_PROFILE_HALF = 2,      /* a sample for each block of 2x2 pixels, itself exact; drawn by fc_render_profile */
   FC_PROFILE_INTERLACED = 3 /* a frame is every other row, exact; drawn by fc_render_profile, field 0 and 1 in turn */
 } fc_profile;
 
 /* All zero is the default. */
 typedef struct fc_options {
-  uint8_t offset_rule;   /* fc_offset_rule for shadow tests */
+  uint8_t offset_rule;         /* fc_offset_rule for shadow tests */
   uint8_t depth_exponent_bits; /* 0: by the scene's depth range; or 2, 3, 4 */
-  int8_t epsilon_exponent; /* -31..31 */
-  uint8_t profile;       /* fc_profile */
-  int32_t epsilon;       /* FC_OFFSET_EPSILON: epsilon * 2^epsilon_exponent world coordinates; 0..FC_COORDINATE_MAX */
+  int8_t epsilon_exponent;     /* -31..31 */
+  uint8_t profile;             /* fc_profile */
+  int32_t epsilon;             /* FC_OFFSET_EPSILON: epsilon * 2^epsilon_exponent world coordinates; 0..FC_COORDINATE_MAX */
   const fc_transfer *transfer; /* what the display makes of a level; NULL: levels are proportional to light */
 } fc_options;
 
 /* World to camera: right, up, forward as rows, and where the eye is. Private. */
 typedef struct fc_view {
-  int32_t row[3][3];  /* Q30 */
-  int64_t eye[3];     /* world coordinates times 2^fine */
-  uint8_t fine;       /* extra fraction bits of eye, 0..31 */
-  int16_t shift;      /* camera grid unit = 2^shift world coordinates / 2^fine */
-  int32_t focal;      /* z of every pixel's direction; x and y are whole numbers times 2^pixel_shift */
+  int32_t row[3][3]; /* Q30 */
+  int64_t eye[3];    /* world coordinates times 2^fine */
+  uint8_t fine;      /* extra fraction bits of eye, 0..31 */
+  int16_t shift;     /* camera grid unit = 2^shift world coordinates / 2^fine */
+  int32_t focal;     /* z of every pixel's direction; x and y are whole numbers times 2^pixel_shift */
   uint8_t pixel_shift;
 } fc_view;
 
@@ -56,17 +56,17 @@ typedef struct fc_view {
 typedef struct fc_frame {
   fc_scene scene; /* the scene's own fields, copied: the tables stay where they are */
   void *memory;
-  const int64_t *lights; /* in memory: camera-space positions, three a light */
+  const int64_t *lights;  /* in memory: camera-space positions, three a light */
   const uint8_t *casters; /* in memory: a bit a node of the hierarchy, whether anything below casts shadows; NULL: all do */
   fc_view view;
   fc_options options;
   uint16_t width, height; /* of what is drawn: of FC_PROFILE_HALF its samples */
-  uint8_t odd;         /* of FC_PROFILE_HALF: bit 0, 1: the last samples stand for one column, row */
-  int64_t epsilon_grid; /* epsilon in camera grid units */
-  uint32_t depth_near; /* camera z, in grid units, of depth value 1 */
+  uint8_t odd;            /* of FC_PROFILE_HALF: bit 0, 1: the last samples stand for one column, row */
+  int64_t epsilon_grid;   /* epsilon in camera grid units */
+  uint32_t depth_near;    /* camera z, in grid units, of depth value 1 */
   uint8_t depth_exponent_bits;
-  uint8_t light;       /* how the scan engine lights it */
-  bool layered;        /* without lights: some material has layers */
+  uint8_t light; /* how the scan engine lights it */
+  bool layered;  /* without lights: some material has layers */
   uint8_t far_shift;
   uint32_t far_low, far_high; /* near / z, Q30: beyond the far limit everywhere below, within it above */
   uint32_t far_scale;

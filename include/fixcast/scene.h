@@ -49,7 +49,7 @@ extern const fc_kind fc_kind_plane;    /* items: fc_plane */
 extern const fc_kind fc_kind_triangle; /* items: fc_triangle, with vertices */
 /* The same with vertices of 16 bits (fc_short_vec3). */
 extern const fc_kind fc_kind_triangle_short;
-extern const fc_kind fc_kind_convex;   /* items: fc_triangle, of a convex body that shadows by its outline */
+extern const fc_kind fc_kind_convex; /* items: fc_triangle, of a convex body that shadows by its outline */
 
 /* A vertex of fc_kind_triangle_short: world coordinates / 2^vertex_shift. */
 typedef struct fc_short_vec3 {
@@ -68,14 +68,14 @@ typedef struct fc_uv {
 /* A table of shapes of one kind; triangles share a table of vertices. Use the macros. */
 typedef struct fc_shapes {
   const fc_kind *kind;
-  const void *items; /* fc_sphere, fc_plane or fc_triangle, as the kind says */
+  const void *items;    /* fc_sphere, fc_plane or fc_triangle, as the kind says */
   const void *vertices; /* fc_vec3, or fc_short_vec3 where the kind says so */
   uint16_t count, vertex_count;
   const fc_normal *normals; /* triangles: one a vertex, for fc_layer_smooth; or NULL */
   const fc_uv *uvs;         /* triangles: one a vertex, for fc_mapping_vertices; or NULL */
-  uint8_t cull; /* triangles: 1 when they close up and face outwards, so that back faces need not be drawn; otherwise 0. fc_kind_convex:
+  uint8_t cull;             /* triangles: 1 when they close up and face outwards, so that back faces need not be drawn; otherwise 0. fc_kind_convex:
                    2 + m for a margin of 2^m coordinates or more, m 0..30; or as for triangles */
-  uint8_t vertex_shift; /* fc_kind_triangle_short: a vertex is a whole number times 2^vertex_shift, 0..15; otherwise 0 */
+  uint8_t vertex_shift;     /* fc_kind_triangle_short: a vertex is a whole number times 2^vertex_shift, 0..15; otherwise 0 */
 } fc_shapes;
 
 /* Number of a table's items, as uint16_t. */

@@ -8,8 +8,8 @@
 extern "C" {
 #endif
 
-/* For each number of levels, 31, 63 and 255, the least light (Q24: 2^24 is white) that shows as level 1, 2, ... up to the last: ascending. A level is thus
- * exact: no table's step is seen. The tables may live in flash. */
+/* For each number of levels, 31, 63 and 255, the least light (Q24: 2^24 is white) that shows as level 1, 2, ... up to the last: ascending. A
+ * level is thus exact: no table's step is seen. The tables may live in flash. */
 typedef struct fc_transfer {
   const uint32_t *level31, *level63, *level255;
 } fc_transfer;

@@ -20,7 +20,8 @@
 
 /* For FC_VERSION_TEXT alone. */
 #define FC_VERSION_JOIN(major, minor, patch) \
-  FC_VERSION_QUOTE(major) "." FC_VERSION_QUOTE(minor) "." FC_VERSION_QUOTE(patch)
+  FC_VERSION_QUOTE(major) \
+  "." FC_VERSION_QUOTE(minor) "." FC_VERSION_QUOTE(patch)
 /* For FC_VERSION_TEXT alone. */
 #define FC_VERSION_QUOTE(number) #number
 

@@ -13,20 +13,20 @@
  * lit iff s > h; and s + s0 = (D.(L - C)) t / (r l) with s0 = C.(L - C) / (r l).
  */
 typedef struct fc_ball_light {
-  int32_t at, dx, dy;     /* D.(L - C) near / (F r l) at the tile's first pixel and its steps, times a power of two */
-  int16_t shift;          /* s + s0 = that * 2^31 / m / 2^(16 + shift) / 2^24, m the first 16 bits of p; less p's octave */
-  int32_t away, h, sum;   /* Q24; away = s0 + h, sum = 1 + h^2 */
-  int32_t margin;         /* Q24: bound on the error of s from 16 bits of p */
-  int32_t fine_margin;    /* ... and refined */
+  int32_t at, dx, dy;      /* D.(L - C) near / (F r l) at the tile's first pixel and its steps, times a power of two */
+  int16_t shift;           /* s + s0 = that * 2^31 / m / 2^(16 + shift) / 2^24, m the first 16 bits of p; less p's octave */
+  int32_t away, h, sum;    /* Q24; away = s0 + h, sum = 1 + h^2 */
+  int32_t margin;          /* Q24: bound on the error of s from 16 bits of p */
+  int32_t fine_margin;     /* ... and refined */
   uint8_t octave, octaves; /* p of fewer bits, or octaves or more above them, is left to the ray engine */
-  fc_quick depth;         /* near 2^(30 + drop) / F: over p it is t */
-  uint32_t curve[3];      /* cosine / (s - h) = curve[0] + x (curve[1] + x curve[2]), Q16, x = s - h; curve[0] 0: see fc_ball_cosine */
-  uint8_t occluders;      /* MANY: more than the list holds; UNSOUGHT */
-  uint8_t unit;           /* a short vector's unit is 2^this: what lies between light and ball has 15 bits */
+  fc_quick depth;          /* near 2^(30 + drop) / F: over p it is t */
+  uint32_t curve[3];       /* cosine / (s - h) = curve[0] + x (curve[1] + x curve[2]), Q16, x = s - h; curve[0] 0: see fc_ball_cosine */
+  uint8_t occluders;       /* MANY: more than the list holds; UNSOUGHT */
+  uint8_t unit;            /* a short vector's unit is 2^this: what lies between light and ball has 15 bits */
   struct {
     uint16_t primitive;
-    int16_t radius;          /* of a sphere, short; 0: ask the form */
-    uint32_t square;         /* of its center */
+    int16_t radius;  /* of a sphere, short; 0: ask the form */
+    uint32_t square; /* of its center */
     union {
       int16_t center[3];       /* of a sphere with a short radius: from the light */
       fc_placed_window window; /* of others: pixels in which it may matter */

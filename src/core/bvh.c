@@ -199,7 +199,11 @@ static FC_COLD uint8_t ray_end(const fc_reach *reach, int64_t to[3]) {
 }
 
 /* What has to be visited: everything, because the ends are far beyond what is kept of them; nothing; what is met. */
-enum { VISIT_ALL, VISIT_NONE, VISIT_MET };
+enum {
+  VISIT_ALL,
+  VISIT_NONE,
+  VISIT_MET
+};
 
 /* A function of its own: its boxes are off the stack when visitors are called. */
 static FC_NOINLINE uint8_t start(sweep *s, const fc_bvh *bvh, const fc_view *view, const fc_reach *reach) {
@@ -407,7 +411,8 @@ static FC_COLD bool each_once(const fc_bvh *bvh) {
 /* A border of cells as a coordinate that compares with any of a primitive's box, which are below 2^31, as the border does. */
 static int32_t border(int32_t origin, uint16_t cells, uint8_t shift) {
   const int64_t at = origin + ((int64_t)cells << shift); /* 32 and 33 bits */
-  return at < -INT32_MAX ? -INT32_MAX : at > INT32_MAX ? INT32_MAX : (int32_t)at;
+  return at < -INT32_MAX ? -INT32_MAX : at > INT32_MAX ? INT32_MAX
+                                                       : (int32_t)at;
 }
 
 static FC_COLD bool leaf_holds(const fc_bvh *bvh, const fc_space *space, uint32_t leaf, fc_cursor *at) {

@@ -88,7 +88,7 @@ static void choose_cells(fc_bvh *bvh, const fc_space *space) {
     if (root_high[j] - root_low[j] > widest) widest = root_high[j] - root_low[j];
   bvh->shift = 0;
   while (FC_BVH_CELLS << bvh->shift < widest) bvh->shift++; /* at most 2^32: 17 */
-  bvh->origin.x = (int32_t)root_low[0]; /* within 2^31 */
+  bvh->origin.x = (int32_t)root_low[0];                     /* within 2^31 */
   bvh->origin.y = (int32_t)root_low[1];
   bvh->origin.z = (int32_t)root_low[2];
 }

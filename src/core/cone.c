@@ -36,7 +36,7 @@ static FC_COLD int64_t dot(const int32_t w[3], const int64_t u[3]) {
 }
 
 FC_COLD void fc_cone_setup(fc_cone *cone, const int64_t center[3], int64_t radius, uint8_t center_error, const fc_sheaf *sheaf,
-                   uint16_t columns, uint16_t rows) {
+                           uint16_t columns, uint16_t rows) {
   int64_t m[3][3], u[3], ux[3], uy[3], xx, yy, steps = (int64_t)columns + rows + 1;
   uint64_t largest = 0, center_reach = 0;
   uint8_t i, j, s;

@@ -16,7 +16,8 @@ FC_COLD void fc_depth_choose(fc_frame *frame, uint64_t near, uint64_t far) {
   if (bits == 0) {
     /* codes run down to near / 2^(2^bits); the lowest is kept free, hence the small margin */
     uint64_t reach = far > UINT64_MAX / 2 ? UINT64_MAX : far + far / 512;
-    bits = reach <= near << 4 ? 2 : reach <= near << 8 ? 3 : 4;
+    bits = reach <= near << 4 ? 2 : reach <= near << 8 ? 3
+                                                       : 4;
   }
   frame->depth_exponent_bits = bits;
 }
@@ -46,7 +47,7 @@ FC_COLD uint16_t fc_depth_code_in(fc_wide *w, const fc_frame *frame, const fc_ro
   int32_t octaves = INT32_C(1) << e_bits, octave;
   fc_quick z = fc_quick_mul(fc_root_quick(root), fc_quick_from((uint64_t)frame->view.focal, 0));
   fc_quick v = fc_quick_mul(fc_quick_from(frame->depth_near, 0), fc_quick_recip(z));
-  uint32_t mantissa = v.m >> (31 - m_bits), code; /* its highest bit included */
+  uint32_t mantissa = v.m >> (31 - m_bits), code;                        /* its highest bit included */
   int32_t over = fc_to_i32((v.m << (m_bits + 1)) - (UINT32_C(1) << 31)); /* the fraction of a step, less its half */
   int8_t up = over < 0 ? -1 : 1;
   octave = v.e + 31 + octaves; /* 1/2 <= v < 1 is the highest, octaves - 1 */

@@ -205,11 +205,11 @@ static inline bool short_slope(int64_t v, uint32_t reciprocal, uint8_t down, uin
   return n == cut;
 }
 
-#define SWAP(a, b)  \
-  do {              \
-    int32_t t = a;  \
-    a = b;          \
-    b = t;          \
+#define SWAP(a, b) \
+  do { \
+    int32_t t = a; \
+    a = b; \
+    b = t; \
   } while (0)
 
 uint8_t fc_small_edges(fc_small_facet *facet, const fc_frame *frame, int8_t hidden_side) {

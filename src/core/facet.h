@@ -13,8 +13,8 @@
 typedef struct fc_facet {
   int32_t at[3], dx[3], dy[3]; /* at the rectangle's first pixel; to the next column; to the next row */
   int32_t certain;
-  uint64_t p, px, py;          /* two's complement */
-  uint32_t error, least;       /* p / 2^32 is nowhere inside less than `least` */
+  uint64_t p, px, py;    /* two's complement */
+  uint32_t error, least; /* p / 2^32 is nowhere inside less than `least` */
   int16_t drop;
 } fc_facet;
 
@@ -63,7 +63,11 @@ typedef struct fc_small_facet {
 } fc_small_facet;
 
 /* What the corners tell: too little, or not in 32 bits; that the triangle's hidden side is seen; the forms. */
-enum { FC_FACET_UNCLEAR, FC_FACET_HIDDEN, FC_FACET_SEEN };
+enum {
+  FC_FACET_UNCLEAR,
+  FC_FACET_HIDDEN,
+  FC_FACET_SEEN
+};
 
 /* floor(a b / 2^16): a, b below 2^22 in size. */
 static inline int32_t fc_product16(int32_t a, int32_t b) {

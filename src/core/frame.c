@@ -148,10 +148,9 @@ static FC_COLD void set_light(fc_frame *frame) {
   frame->light = FC_LIGHT_MANY;
   frame->layered = false;
   if (frame->scene.light_count == 0) {
-    const fc_material *material = frame->scene.materials, *end = material + frame->scene.material_count;
-    uint16_t layers = 0;
+    uint16_t layers = 0, i;
     frame->light = FC_LIGHT_NONE;
-    for (; material != end && layers == 0; material++) FC_READ_ONE(&layers, &material->layer_count);
+    for (i = 0; i < frame->scene.material_count && layers == 0; i++) FC_READ_ONE(&layers, &frame->scene.materials[i].layer_count);
     frame->layered = layers != 0;
   }
   if (frame->scene.light_count != 1 || frame->options.offset_rule != FC_OFFSET_EXACT) return;
@@ -203,7 +202,7 @@ static FC_COLD int check_options(const fc_options *options) {
 }
 
 FC_COLD int fc_frame_setup(fc_frame *frame, const fc_scene *scene, const fc_camera *camera_rom, const fc_options *options,
-                   uint16_t width, uint16_t height, void *memory, size_t memory_bytes) {
+                           uint16_t width, uint16_t height, void *memory, size_t memory_bytes) {
   fc_camera camera;
   size_t bytes;
   int error;

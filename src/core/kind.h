@@ -51,7 +51,7 @@ typedef struct fc_prepared {
       int64_t edge[3][3];   /* N_i = V_i x V_i+1, vertices relative to the origin */
       int32_t filter[3][3]; /* floor(N_i / 2^s), below 2^30 */
       int64_t normal[3];
-      fc_i128 side;         /* normal . V_0 */
+      fc_i128 side; /* normal . V_0 */
       int8_t hidden;
     } triangle;
   } u;

@@ -22,11 +22,11 @@ typedef struct fc_shading {
   uint64_t arriving[3];  /* light times cosine, Q39: 16 + 32 bits a light, 65535 lights and ambient stay below 2^64 */
   uint64_t added[3];     /* radiance that layers add */
   struct {
-    int64_t to[3];       /* from the point, at most 30 bits */
-    fc_quick to_scale;   /* 1 / |to| */
-    fc_quick strength;   /* falloff and the intensity's exponent: what its colour is to be multiplied by */
-    uint16_t colour[3];  /* Q15 */
-  } light;               /* that at hand */
+    int64_t to[3];      /* from the point, at most 30 bits */
+    fc_quick to_scale;  /* 1 / |to| */
+    fc_quick strength;  /* falloff and the intensity's exponent: what its colour is to be multiplied by */
+    uint16_t colour[3]; /* Q15 */
+  } light;              /* that at hand */
   fc_material material;
 } fc_shading;
 
@@ -59,7 +59,11 @@ void fc_radiance_add(uint64_t radiance_q39[3], const uint16_t weight[3], const u
 const void *fc_layer_data(const fc_material *material, const fc_layer_kind *kind);
 
 /* Calls one of a kind's functions, if it has it, for every layer of the material. */
-enum { FC_LAYER_SURFACE, FC_LAYER_LIGHT, FC_LAYER_FOLLOW };
+enum {
+  FC_LAYER_SURFACE,
+  FC_LAYER_LIGHT,
+  FC_LAYER_FOLLOW
+};
 void fc_layers_apply(fc_shading *shading, uint8_t which);
 
 /* 1 / |v| for 30-bit components, 0 for a zero vector. */

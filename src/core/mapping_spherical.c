@@ -10,8 +10,8 @@ static FC_COLD int check(const fc_mapping *mapping) {
 
 /* atan(2^-i) in turns, Q32 (Volder 1959). */
 static const uint32_t turn_q32[] FC_ROM = {536870912, 316933406, 167458907, 85004756, 42667331, 21354465, 10679838, 5340245,
-                                           2670163,   1335087,   667544,    333772,   166886,   83443,    41722,    20861,
-                                           10430,     5215,      2608,      1304,     652,      326,      163,      81};
+                                           2670163, 1335087, 667544, 333772, 166886, 83443, 41722, 20861,
+                                           10430, 5215, 2608, 1304, 652, 326, 163, 81};
 
 /* The angle of (x, y), x >= 0, in turns, Q32, within 2^-23; *length becomes |(x, y)| times 1.6468. Components below 2^29. */
 static FC_COLD int64_t angle_of(int32_t x, int32_t y, int32_t *length) {

@@ -61,7 +61,7 @@ static FC_COLD void set_scales(const fc_frame *frame, fc_placed_mesh *mesh) {
 
 /* F / z as fc_placed_vertex wants it, z > 0. */
 static uint32_t see(const fc_placed_mesh *mesh, uint32_t z) {
-  uint8_t zeros = fc_clz32(z); /* at least 2 */
+  uint8_t zeros = fc_clz32(z);                                    /* at least 2 */
   uint32_t m = fc_mulhi32(fc_recip_q63(z << zeros), mesh->focal); /* 2^62 / 2^32 and up */
   if (!(m >> 31)) {
     m <<= 1;
@@ -145,12 +145,12 @@ typedef struct glance {
 } glance;
 
 #define SORT(a, b, c, low, high) \
-  do {                           \
-    low = high = a;              \
-    if (b < low) low = b;        \
-    if (b > high) high = b;      \
-    if (c < low) low = c;        \
-    if (c > high) high = c;      \
+  do { \
+    low = high = a; \
+    if (b < low) low = b; \
+    if (b > high) high = b; \
+    if (c < low) low = c; \
+    if (c > high) high = c; \
   } while (0)
 
 /* Whether corners within the guard band say that the front is turned away. */
@@ -190,7 +190,7 @@ void fc_mesh_set_casts(const fc_frame *frame, const fc_shapes *shapes, void *mem
     if (shapes->cull) {
       fc_triangle t;
       fc_read_triangle(shapes, i, &t);
-may = fc_triangle_turn(vertices[t.vertex[0]].p, vertices[t.vertex[1]].p, vertices[t.vertex[2]].p, frame->lights) <= 0;
+      may = fc_triangle_turn(vertices[t.vertex[0]].p, vertices[t.vertex[1]].p, vertices[t.vertex[2]].p, frame->lights) <= 0;
     }
     if (may) casts[i / 8] = (uint8_t)(casts[i / 8] | 1u << (i % 8));
   }

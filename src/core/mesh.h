@@ -25,15 +25,15 @@ typedef struct fc_placed_vertex {
 #define FC_BIN_END UINT16_C(0xffff)
 
 typedef struct fc_placed_mesh {
-  uint32_t focal;      /* F = focal / 2^focal_down */
-  uint32_t depth;      /* near / F = depth / 2^depth_down */
+  uint32_t focal; /* F = focal / 2^focal_down */
+  uint32_t depth; /* near / F = depth / 2^depth_down */
   int16_t depth_down;
   uint8_t focal_down;
-  uint8_t fraction;    /* screen coordinates have this many bits after the point; 0: nothing is projected */
-  int8_t shift;        /* x, y 2^(exponent of seen - shift) times seen's mantissa / 2^32: on the screen */
-  uint8_t band_shift;  /* rows of a band: 2^band_shift */
+  uint8_t fraction;   /* screen coordinates have this many bits after the point; 0: nothing is projected */
+  int8_t shift;       /* x, y 2^(exponent of seen - shift) times seen's mantissa / 2^32: on the screen */
+  uint8_t band_shift; /* rows of a band: 2^band_shift */
   uint16_t head[FC_BINS];
-  uint16_t unused[2];  /* 144 bytes on every machine */
+  uint16_t unused[2]; /* 144 bytes on every machine */
 } fc_placed_mesh;
 
 typedef char fc_placed_mesh_is_whole[sizeof(fc_placed_mesh) == 144 && sizeof(fc_placed_vertex) == 16 ? 1 : -1];

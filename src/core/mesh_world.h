@@ -29,12 +29,12 @@ void fc_triangle_depth_range(const fc_frame *frame, const fc_group *group, uint6
 void fc_triangle_bounds(const fc_form *form, int64_t low[3], int64_t high[3]);
 
 /* Strips are drawn whole: no window, no draw, and no hides; casts and settles one by one. */
-#define FC_KIND_OF_TRIANGLES(check, extent, place, fetch)                                                                   \
-  {                                                                                                                         \
-    check, fc_mesh_memory, extent, place, fetch, fc_triangle_prepare, fc_triangle_test, fc_triangle_blocked,                \
-        fc_triangle_facing, fc_triangle_normal, fc_triangle_side, fc_triangle_weights, fc_triangle_depth_range,             \
-        fc_triangle_project, NULL, NULL, fc_triangle_shadow, fc_triangle_between, NULL, fc_triangle_strip,                  \
-        fc_triangle_bounds, fc_triangle_casts, NULL, NULL                                                                   \
+#define FC_KIND_OF_TRIANGLES(check, extent, place, fetch) \
+  { \
+    check, fc_mesh_memory, extent, place, fetch, fc_triangle_prepare, fc_triangle_test, fc_triangle_blocked, \
+        fc_triangle_facing, fc_triangle_normal, fc_triangle_side, fc_triangle_weights, fc_triangle_depth_range, \
+        fc_triangle_project, NULL, NULL, fc_triangle_shadow, fc_triangle_between, NULL, fc_triangle_strip, \
+        fc_triangle_bounds, fc_triangle_casts, NULL, NULL \
   }
 
 /* The reader: the includer defines it. */
@@ -162,7 +162,8 @@ static inline void fetch(const fc_group *group, uint16_t index, fc_form *form) {
   form->material = t.material;
   form->object = t.object;
   /* the camera's axes are left-handed: there, outward normals turn inwards */
-  form->u.triangle.hidden = !group->shapes.cull ? 0 : group->memory != NULL ? -1 : 1;
+  form->u.triangle.hidden = !group->shapes.cull ? 0 : group->memory != NULL ? -1
+                                                                            : 1;
   for (i = 0; i < 3; i++) {
     int64_t *to = form->u.triangle.vertex[i];
     if (group->memory != NULL) {

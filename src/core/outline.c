@@ -292,7 +292,11 @@ static FC_NOINLINE bool cut_rows(const fc_scan *scan, const fc_shadow_edge *edge
 }
 
 /* What the mesh's vertices are to a receiver: all on the light's side of it, at most one in its plane; or more than that. */
-enum { SIDE_CLEAR = 0, SIDE_TOUCHES = 1, SIDE_CROSSES = 2 };
+enum {
+  SIDE_CLEAR = 0,
+  SIDE_TOUCHES = 1,
+  SIDE_CROSSES = 2
+};
 
 static FC_NOINLINE uint8_t side_of_mesh(const fc_planar *receiver, const fc_group *group, uint16_t *touching) {
   const fc_placed_vertex *vertices = fc_mesh_vertices(group->memory);
@@ -470,7 +474,8 @@ static bool parted(const fc_frame *frame, const seen_mesh *by, const seen_mesh *
     walk_start(&walk, frame, other->group, other->line);
     while (outer && walk_next(&walk)) /* 15 bits each, three terms */
       outer = n[0] * fc_floor_shift32(walk.b[0], other->shift) + n[1] * fc_floor_shift32(walk.b[1], other->shift) +
-                  n[2] * fc_floor_shift32(walk.b[2], other->shift) > error;
+                  n[2] * fc_floor_shift32(walk.b[2], other->shift) >
+              error;
     if (outer) return true;
   }
   return false;

@@ -23,7 +23,8 @@ FC_COLD uint8_t fc_pixel_transfer(const fc_transfer *transfer_rom, uint32_t valu
   const uint32_t *table;
   uint8_t low = 0, high = most; /* the level is in low .. high */
   FC_READ_ONE(&transfer, transfer_rom);
-  table = most == 31 ? transfer.level31 : most == 63 ? transfer.level63 : transfer.level255;
+  table = most == 31 ? transfer.level31 : most == 63 ? transfer.level63
+                                                     : transfer.level255;
   while (low < high) {
     const uint8_t middle = (uint8_t)(low + (high - low + 1) / 2);
     uint32_t threshold;

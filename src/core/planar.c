@@ -387,8 +387,8 @@ FC_NOINLINE void fc_cosine_start(const fc_square *s, const fc_cosine *g, uint16_
 
 /* Lights the pixels in `bits` from where the forms stand. */
 static FC_HOT void shade_run(const fc_tint *restrict tint, fc_cosine_row *restrict r, int32_t dg, uint8_t count,
-                                  uint32_t bits, uint8_t *restrict to,
-                                  uint8_t pixel_bytes) {
+                             uint32_t bits, uint8_t *restrict to,
+                             uint8_t pixel_bytes) {
   for (; count != 0; count--, bits >>= 1, to += pixel_bytes) {
     if (bits & 1) fc_tint_put(tint, fc_cosine_of(r->q, r->g), to);
     r->q += r->dq;
@@ -485,7 +485,10 @@ uint32_t fc_cosine_least(const fc_cosine_row *r, uint8_t n) {
 static uint8_t chord_of(uint32_t least, uint32_t ddq) {
   /* 4096, 1024, 256 and 64 times 5 / 4 */
   const uint32_t bend = ddq + (ddq >> 2);
-  return least >> 12 >= bend ? 4 : least >> 10 >= bend ? 3 : least >> 8 >= bend ? 2 : least >> 6 >= bend ? 1 : 0;
+  return least >> 12 >= bend ? 4 : least >> 10 >= bend ? 3
+                               : least >> 8 >= bend    ? 2
+                               : least >> 6 >= bend    ? 1
+                                                       : 0;
 }
 
 FC_HOT void fc_planar_colour(fc_scan *scan, const fc_planar *planar, const fc_cosine *g) {

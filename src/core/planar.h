@@ -31,7 +31,7 @@ struct fc_planar {
   int64_t slack;     /* k - n.p is within this of what the exact normal says, in units of its cut; 0: the normal is exact */
   int64_t exact[3];  /* before the cut: below 2^63 */
   fc_i128 exact_k;
-  fc_sheaf w;        /* from the light to the points of the tile */
+  fc_sheaf w;                        /* from the light to the points of the tile */
   uint16_t left, right, top, bottom; /* the rectangle that the tile's mask shows */
   /* what glances at an occluder need, found when the first does */
   int16_t corner[4][3];         /* round(W / 2^16) at its corners */
@@ -92,10 +92,14 @@ FC_INLINE uint32_t fc_cosine_of(uint32_t q, int32_t g) {
 }
 
 /* What fc_planar_reach left to do. */
-enum { FC_PLANAR_DARK, FC_PLANAR_SLOW, FC_PLANAR_LIT };
+enum {
+  FC_PLANAR_DARK,
+  FC_PLANAR_SLOW,
+  FC_PLANAR_LIT
+};
 
-/* The light's part of fc_planar_light up to colours: FC_PLANAR_LIT: the mask holds what it reaches, and *planar and *g, in scan->work, are set; all else
- * is coloured. DARK: nothing is lit, SLOW: the ray engine has coloured everything. */
+/* The light's part of fc_planar_light up to colours: FC_PLANAR_LIT: the mask holds what it reaches, and *planar and *g, in scan->work, are
+ * set; all else is coloured. DARK: nothing is lit, SLOW: the ray engine has coloured everything. */
 uint8_t fc_planar_reach(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners, const fc_planar **planar,
                         const fc_cosine **g);
 

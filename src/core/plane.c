@@ -188,7 +188,7 @@ static FC_COLD void depth_range(const fc_frame *frame, const fc_group *group, ui
 }
 
 const fc_kind fc_kind_plane FC_ROM = {
-    check,    memory, extent,      place,            fetch,           prepare,       test,            blocked,        facing, normal,
-    side,     NULL,   depth_range, fc_plane_project, fc_plane_window, fc_plane_draw, fc_plane_shadow, fc_plane_between,
+    check, memory, extent, place, fetch, prepare, test, blocked, facing, normal,
+    side, NULL, depth_range, fc_plane_project, fc_plane_window, fc_plane_draw, fc_plane_shadow, fc_plane_between,
     fc_plane_hides,
     fc_scan_each, NULL, NULL, NULL, NULL};

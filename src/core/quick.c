@@ -99,11 +99,11 @@ FC_COLD uint64_t fc_packed_rsqrt(fc_quick a) {
     m >>= 1;
     e++;
   }
-  y = fc_rsqrt_q15(m);                        /* Q15, up to 2^16 */
+  y = fc_rsqrt_q15(m);                                /* Q15, up to 2^16 */
   rest = fc_mulhi32(m, y >> 16 ? UINT32_MAX : y * y); /* x y^2, Q30 */
   left = (int32_t)(UINT32_C(1) << 30) - (int32_t)rest;
   /* y (1 + left / 2): |left| below 2^17 */
-  y <<= 15;                                   /* Q30 */
+  y <<= 15; /* Q30 */
   add = fc_floor_shift32((int32_t)(y >> 16) * fc_floor_shift32(left, 2), 13);
   q.m = y + (uint32_t)add;
   q.e = (int16_t)(-30 - e / 2);
@@ -115,7 +115,7 @@ FC_COLD uint64_t fc_packed_rsqrt(fc_quick a) {
 }
 
 FC_COLD int32_t fc_quick_to_int(fc_quick a, int16_t e) {
-  int16_t down = (int16_t)-(a.e + e);
+  int16_t down = (int16_t) - (a.e + e);
   if (a.m == 0 || down > 31) return 0;
   return down < 1 ? INT32_MAX : (int32_t)(a.m >> down);
 }

@@ -172,7 +172,8 @@ int32_t fc_quick_to_int(fc_quick a, int16_t e);
 
 /* floor(a), for values below 2^64. */
 static inline uint64_t fc_quick_to_u64(fc_quick a) {
-  return a.m == 0 || a.e < -31 ? 0 : a.e < 0 ? a.m >> -a.e : (uint64_t)a.m << a.e;
+  return a.m == 0 || a.e < -31 ? 0 : a.e < 0 ? a.m >> -a.e
+                                             : (uint64_t)a.m << a.e;
 }
 
 /* v a 2^e, cut towards 0; within +-INT32_MAX. */

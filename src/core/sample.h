@@ -18,7 +18,7 @@
 
 /* What a lens keeps for a strip. */
 typedef struct fc_lens_state {
-  fc_num scale;    /* lengths or angles a unit of fc_lens_offset, as the lens has it */
+  fc_num scale;   /* lengths or angles a unit of fc_lens_offset, as the lens has it */
   uint32_t angle; /* half the full angle, 2^-32 turns */
 } fc_lens_state;
 

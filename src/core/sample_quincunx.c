@@ -14,8 +14,8 @@ typedef struct point {
  * side, so that what squares share is there for all of them. */
 typedef struct pixel {
   const fc_sampler *sampler;
-  point *grid;       /* (steps + 1)^2, row by row */
-  int32_t place[2];  /* its upper left corner */
+  point *grid;      /* (steps + 1)^2, row by row */
+  int32_t place[2]; /* its upper left corner */
   uint16_t steps, rays;
 } pixel;
 
@@ -73,7 +73,7 @@ static FC_COLD const point *at_grid(pixel *p, uint16_t x, uint16_t y) {
 static FC_COLD void sum_squares(pixel *p, uint64_t sum[3], fc_seen *centre) {
   const uint8_t depth = p->sampler->how.depth;
   uint8_t quarter[FC_QUINCUNX_DEPTH_MAX + 1]; /* of the square of each level: the one at hand; bit 0: the right, bit 1: the lower */
-  uint16_t x = 0, y = 0, side = p->steps;      /* of the square at this level, in steps */
+  uint16_t x = 0, y = 0, side = p->steps;     /* of the square at this level, in steps */
   uint8_t level = 0, q;
   point smallest; /* the centre of a square of a step, which is none of the grid */
   fc_seen seen;

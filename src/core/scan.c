@@ -117,7 +117,7 @@ static bool within_far(const fc_frame *frame, int32_t low, int32_t margin, uint8
 
 /* One pixel of a row that may need care: the far limit, another octave, a rounding left open. */
 static FC_COLD bool affine_pixel(const fc_scan *scan, uint16_t row, uint16_t column, int32_t p, uint8_t gain, uint32_t error,
-                         bool clip, fc_coder *coder) {
+                                 bool clip, fc_coder *coder) {
   const int32_t margin = (int32_t)error, limit = INT32_C(1) << (30 - gain);
   uint16_t *depth = fc_scan_depth(scan, row, column);
   int32_t code = -1;
@@ -275,7 +275,7 @@ static void affine_plain(fc_scan *scan, uint16_t row, uint16_t column, uint16_t 
 }
 
 FC_COLD void fc_scan_affine(fc_scan *scan, uint16_t row, uint16_t first, uint16_t last, int64_t value, int64_t step,
-                    uint8_t gain, uint32_t error, fc_coder *coder) {
+                            uint8_t gain, uint32_t error, fc_coder *coder) {
   const fc_frame *frame = scan->frame;
   const int32_t margin = (int32_t)error;
   int32_t hidden = -margin, sure = margin + 1;
@@ -403,7 +403,7 @@ static FC_COLD uint32_t levels(uint16_t reflectance, uint64_t light, uint8_t mos
     return (((uint32_t)reflectance * (uint32_t)light >> 7) * most) >> down;
   }
   if (light >> 40) return UINT32_MAX;
-  product = (uint64_t)reflectance * light >> 7;             /* Q23 */
+  product = (uint64_t)reflectance * light >> 7; /* Q23 */
   if (product >> 40) return UINT32_MAX;
   product = (product * most) >> down;
   return product > UINT32_MAX ? UINT32_MAX : (uint32_t)product;

@@ -19,7 +19,11 @@
 /* Words of a tile's mask. */
 #define FC_SCAN_WORDS 64
 /* How the frame is lit: not at all; by one light that the fast forms can serve; otherwise, by fc_shade, pixel by pixel. */
-enum { FC_LIGHT_NONE, FC_LIGHT_ONE, FC_LIGHT_MANY };
+enum {
+  FC_LIGHT_NONE,
+  FC_LIGHT_ONE,
+  FC_LIGHT_MANY
+};
 
 /* Most rows of a tile. */
 #define FC_SCAN_ROWS 16
@@ -29,13 +33,13 @@ enum { FC_LIGHT_NONE, FC_LIGHT_ONE, FC_LIGHT_MANY };
 /* What a surface looks like under the frame's only light: level = floor((base + slope c) / 2^FC_TINT_BITS), c the
  * cosine in Q16. */
 typedef struct fc_tint {
-  uint32_t base[3];  /* with the rounding half */
-  uint32_t slope[3]; /* below 2^15 */
-  uint8_t most[3];   /* the format's greatest levels */
-  bool clamp;        /* the sum may exceed them */
-  uint8_t format;    /* fc_format */
-  bool plain;        /* FC_RGB565_BE, and no clamp */
-  uint8_t unlit[4];  /* the pixel's bytes without the light */
+  uint32_t base[3];            /* with the rounding half */
+  uint32_t slope[3];           /* below 2^15 */
+  uint8_t most[3];             /* the format's greatest levels */
+  bool clamp;                  /* the sum may exceed them */
+  uint8_t format;              /* fc_format */
+  bool plain;                  /* FC_RGB565_BE, and no clamp */
+  uint8_t unlit[4];            /* the pixel's bytes without the light */
   const fc_transfer *transfer; /* with one, the levels are those of 255, before rounding */
 } fc_tint;
 
@@ -60,22 +64,22 @@ struct fc_scan {
   const fc_cursor *at; /* the primitive's table */
   const fc_form *form;
   uint16_t primitive, index; /* its number, and its place in the table */
-  uint16_t strip;      /* frame row of the target's row 0 */
-  uint16_t x, y;       /* the tile's first pixel, in the frame */
+  uint16_t strip;            /* frame row of the target's row 0 */
+  uint16_t x, y;             /* the tile's first pixel, in the frame */
   uint16_t columns;
-  uint8_t rows, words; /* words of mask a row */
+  uint8_t rows, words;         /* words of mask a row */
   uint8_t first_row, last_row; /* those that the strip holds */
   uint8_t pixel_bytes;
-  uint8_t light;       /* FC_LIGHT_... */
-  bool clip_far;       /* the far limit may cut the primitive */
-  bool clear;          /* nothing keeps the light from what of the table faces it */
-  uint8_t skip;        /* rows of the frame with this parity are left out; FC_SKIP_NONE: none */
+  uint8_t light; /* FC_LIGHT_... */
+  bool clip_far; /* the far limit may cut the primitive */
+  bool clear;    /* nothing keeps the light from what of the table faces it */
+  uint8_t skip;  /* rows of the frame with this parity are left out; FC_SKIP_NONE: none */
   fc_tint tint;
-  fc_asked *asked;     /* below */
-  const fc_coat_kind *coat; /* NULL: the material is matte, or light is FC_LIGHT_MANY */
+  fc_asked *asked;              /* below */
+  const fc_coat_kind *coat;     /* NULL: the material is matte, or light is FC_LIGHT_MANY */
   uint32_t mask[FC_SCAN_WORDS]; /* bit i of word j of a row: pixel 32 j + i shows the primitive */
   /* What would crowd the stack, where calls are deepest: */
-  fc_target drawn;     /* a target in the order of bytes that inner loops know */
+  fc_target drawn; /* a target in the order of bytes that inner loops know */
   fc_space space;
   fc_cursor cursor;
   fc_form item;
@@ -91,10 +95,10 @@ static inline bool fc_scan_skips(const fc_scan *scan, uint16_t row) { return ((s
 
 /* Depth codes along a row: what changes only when near / z crosses a power of two. */
 typedef struct fc_coder {
-  uint32_t low;  /* codes of p in low .. 2 low - 1 ... */
-  uint32_t half; /* 2^(shift-1) */
+  uint32_t low;      /* codes of p in low .. 2 low - 1 ... */
+  uint32_t half;     /* 2^(shift-1) */
   uint32_t low_bits; /* 2^shift - 1 */
-  int32_t base;  /* ... are base + round(p / 2^shift) */
+  int32_t base;      /* ... are base + round(p / 2^shift) */
   uint8_t shift;
 } fc_coder;
 

@@ -14,23 +14,28 @@ typedef struct fc_placed_window {
 typedef struct fc_placed_plane {
   int64_t k; /* normal . p = k */
   int32_t normal[3];
-  uint32_t factor; /* near / z = (normal . D) factor / 2^shift / 2^(62 - gain); gain FC_GAIN_NONE: out of reach */
-  int32_t unit[3];    /* normal / |normal|, Q30 */
+  uint32_t factor;                /* near / z = (normal . D) factor / 2^shift / 2^(62 - gain); gain FC_GAIN_NONE: out of reach */
+  int32_t unit[3];                /* normal / |normal|, Q30 */
   uint8_t shift, gain, unused[2]; /* 40 bytes on every machine: memory is a multiple of 8 */
 } fc_placed_plane;
 
 typedef struct fc_placed_sphere {
   int32_t center[3], radius;
-  uint32_t factor;    /* near / (c F), c = |center|^2 - radius^2, is factor * 2^exponent */
-  int8_t exponent;    /* -123 .. 0: c is below 2^62, F below 2^30, near and c F at least 1 */
-  uint8_t seen;       /* FC_SPHERE_... */
-  uint16_t order;     /* the table's nearest visible sphere, the second nearest ... FC_SPHERE_LAST: there are no more */
+  uint32_t factor; /* near / (c F), c = |center|^2 - radius^2, is factor * 2^exponent */
+  int8_t exponent; /* -123 .. 0: c is below 2^62, F below 2^30, near and c F at least 1 */
+  uint8_t seen;    /* FC_SPHERE_... */
+  uint16_t order;  /* the table's nearest visible sphere, the second nearest ... FC_SPHERE_LAST: there are no more */
   fc_placed_window window;
 } fc_placed_sphere;
 
 /* Not at all; in front of the eye and outside it, as the fast forms want it; the same, but some of it may lie beyond the far limit;
  * some other way. */
-enum { FC_SPHERE_HIDDEN, FC_SPHERE_PLAIN, FC_SPHERE_CUT, FC_SPHERE_ODD };
+enum {
+  FC_SPHERE_HIDDEN,
+  FC_SPHERE_PLAIN,
+  FC_SPHERE_CUT,
+  FC_SPHERE_ODD
+};
 
 #define FC_SPHERE_LAST UINT16_MAX
 
@@ -45,7 +50,7 @@ void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, void *memo
 bool fc_plane_window(const fc_frame *frame, const fc_group *group, uint16_t index, fc_window *box);
 void fc_plane_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form);
 bool fc_plane_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
-                       int64_t radius, fc_window *window);
+                      int64_t radius, fc_window *window);
 
 void fc_sphere_strip(fc_scan *scan, uint16_t rows);
 void fc_sphere_draw(fc_scan *scan);
@@ -62,7 +67,7 @@ void fc_triangle_strip(fc_scan *scan, uint16_t rows);
 void fc_triangle_project(const fc_frame *frame, const fc_shapes *shapes, void *memory);
 void fc_triangle_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *kind, const fc_form *form);
 bool fc_triangle_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
-                       int64_t radius, fc_window *window);
+                         int64_t radius, fc_window *window);
 
 uint32_t fc_convex_memory(const fc_shapes *shapes);
 void fc_convex_strip(fc_scan *scan, uint16_t rows);

@@ -62,11 +62,12 @@ FC_COLD void fc_plane_project(const fc_frame *frame, const fc_shapes *shapes, vo
     }
     fc_num_times(&most, &factor);
     /* value = near / z times 2^(62 - gain), below 2^62 */
-    j = most.e + 63 <= 0 ? 0 : most.e + 63 > 20 ? FC_GAIN_NONE : (uint8_t)(most.e + 63);
+    j = most.e + 63 <= 0 ? 0 : most.e + 63 > 20 ? FC_GAIN_NONE
+                                                : (uint8_t)(most.e + 63);
     /* factor = m 2^e: the top 32 bits, and n.D times it shifted to 2^(62 - gain) */
     if (j != FC_GAIN_NONE && factor.e + 31 + 62 - j <= 0 && factor.e + 31 + 62 - j > -100) {
       placed[i].factor = (uint32_t)(factor.m >> 31);
-      placed[i].shift = (uint8_t)-(factor.e + 31 + 62 - j);
+      placed[i].shift = (uint8_t) - (factor.e + 31 + 62 - j);
       placed[i].gain = j;
     }
   }
@@ -87,7 +88,7 @@ FC_COLD void fc_plane_shadow(fc_scan *scan, fc_planar *receiver, const fc_kind *
 }
 
 FC_COLD bool fc_plane_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
-                      int64_t radius, fc_window *window) {
+                              int64_t radius, fc_window *window) {
   /* 62 and 30 + 30 + 2 bits; lights of the scan engine are within 2^30 */
   const int64_t *n = form->u.plane.normal;
   int64_t ball = form->u.plane.k - fc_dot(n, center), lamp = form->u.plane.k - fc_dot(n, light), foot[3];

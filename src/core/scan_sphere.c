@@ -8,7 +8,8 @@
 
 /* ---- set-up, once a frame ---- */
 
-static uint16_t clamp_pixel(int32_t v, uint16_t size) { return v < 0 ? 0 : v >= size ? (uint16_t)(size - 1) : (uint16_t)v; }
+static uint16_t clamp_pixel(int32_t v, uint16_t size) { return v < 0 ? 0 : v >= size ? (uint16_t)(size - 1)
+                                                                                     : (uint16_t)v; }
 
 static FC_COLD void set_window(const fc_frame *frame, const fc_window *box, fc_placed_window *window) {
   window->x0 = clamp_pixel(box->x0, frame->width);
@@ -66,8 +67,9 @@ FC_COLD void fc_sphere_project(const fc_frame *frame, const fc_shapes *shapes, v
     p->exponent = (int8_t)(factor.e + 31);
     /* |C| + r beyond the limit, which is cut to whole units, or not: squares below 3 * 2^60 */
     p->seen = frame->scene.far_limit > 0 &&
-              (limit <= p->radius || (limit < INT64_C(1) << 31 && square >= (limit - p->radius) * (limit - p->radius)))
-                  ? FC_SPHERE_CUT : FC_SPHERE_PLAIN;
+                      (limit <= p->radius || (limit < INT64_C(1) << 31 && square >= (limit - p->radius) * (limit - p->radius)))
+                  ? FC_SPHERE_CUT
+                  : FC_SPHERE_PLAIN;
   }
   if (visible < shapes->count) placed[visible].order = FC_SPHERE_LAST;
   sort_by_depth(placed, visible);
@@ -91,15 +93,19 @@ bool fc_sphere_window(const fc_frame *frame, const fc_group *group, uint16_t ind
 
 /* ---- light ---- */
 
-enum { LIGHT_UNKNOWN, LIGHT_FORMS, LIGHT_SLOW };
+enum {
+  LIGHT_UNKNOWN,
+  LIGHT_FORMS,
+  LIGHT_SLOW
+};
 #define MANY 255
 #define UNSOUGHT 254 /* nothing in the tile has faced the light yet */
 
 typedef struct occluder_list {
   const fc_scan *scan;
   fc_ball_light *light;
-  int16_t way[3];   /* from the light to the ball, short */
-  uint32_t length;  /* squared */
+  int16_t way[3];  /* from the light to the ball, short */
+  uint32_t length; /* squared */
 } occluder_list;
 
 /* Products of vectors of 15 bits: below 3 * 2^30. */
@@ -269,8 +275,8 @@ static FC_COLD uint8_t set_light(const fc_scan *scan, fc_ball_light *light, int1
   uint8_t i;
   fc_scan_direction(scan, d, &step);
   for (i = 0; i < 3; i++) {
-    l[i] = scan->frame->lights[i] - c[i];          /* below 2^31 */
-    square += (uint64_t)(l[i] * l[i]);             /* below 3 * 2^62 */
+    l[i] = scan->frame->lights[i] - c[i]; /* below 2^31 */
+    square += (uint64_t)(l[i] * l[i]);    /* below 3 * 2^62 */
   }
   if (square == 0) return LIGHT_SLOW;
   inverse = fc_quick_rsqrt(fc_quick_from(square, 0)); /* 1 / l */
@@ -281,7 +287,7 @@ static FC_COLD uint8_t set_light(const fc_scan *scan, fc_ball_light *light, int1
   if (light->h > (INT32_C(3) << 22)) return LIGHT_SLOW;
   light->sum = (INT32_C(1) << 24) + (int32_t)(fc_smul32(light->h, light->h) >> 24);
   inverse = fc_quick_mul(inverse, fc_quick_recip(fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0))); /* 1 / (r l) */
-  center_light = fc_small_dot(c, l); /* 30 + 31 bits and two: below 2^63 */
+  center_light = fc_small_dot(c, l);                                                                        /* 30 + 31 bits and two: below 2^63 */
   unit = fc_quick_mul(inverse, fc_quick_from(fc_abs64(center_light), 0));
   if (!fc_quick_less(unit, fc_quick_from(64, 0))) return LIGHT_SLOW;
   s0 = fc_quick_times(inverse, center_light, 24);
@@ -324,7 +330,7 @@ static FC_COLD uint8_t set_light(const fc_scan *scan, fc_ball_light *light, int1
 
 /* The point that a pixel with this p shows: t D with t = near 2^(30 + drop) / (p F); returns a bound of its error an axis. */
 static FC_COLD uint32_t point_at(const fc_scan *scan, const fc_ball_light *light, uint16_t row, uint16_t column, uint32_t p,
-                         int32_t point[3]) {
+                                 int32_t point[3]) {
   const fc_quick t = fc_quick_mul(fc_quick_recip(fc_quick_from(p, 0)), light->depth);
   const int16_t up = (int16_t)(t.e + 32);
   int64_t d[3];
@@ -355,7 +361,7 @@ static FC_NOINLINE int8_t short_hides(uint32_t aa, int64_t ab, uint32_t bb, int1
   in = radius - out;
   out += radius;
   if (aa <= (uint32_t)(out * out) || apart <= out * out) return -1;
-  if (ab <= 0 || ab >= bb) return 0; /* the nearest point is an end */
+  if (ab <= 0 || ab >= bb) return 0;                                /* the nearest point is an end */
   across = fc_mul32(aa, bb) - fc_mul32((uint32_t)ab, (uint32_t)ab); /* squared distance from the line, times bb; ab < bb */
   square = fc_mul32((uint32_t)(out * out), bb);                     /* 31 + 32 bits */
   if (across > square) return 0;
@@ -621,7 +627,7 @@ static FC_NOINLINE void shade_any(const fc_ball_light *light, const fc_tint *tin
 
 /* Lights the pixels of a row in `bits`, given p of each and in `e` a copy that becomes s - h; returns those lit, but for what a ray has coloured. */
 static uint32_t light_row(const fc_scan *scan, fc_ball_light *light, uint16_t row, uint16_t column, uint32_t bits,
-                      const uint32_t *p, uint32_t *e) {
+                          const uint32_t *p, uint32_t *e) {
   uint32_t open, dark, bit = 1, rest;
   uint8_t i;
   open = facing_row(light, light->at + light->dx * column + light->dy * row, bits, e, &dark);
@@ -648,7 +654,7 @@ static uint32_t light_row(const fc_scan *scan, fc_ball_light *light, uint16_t ro
 
 /* The same among occluders, who are asked about the points. */
 static FC_COLD void light_row_among(const fc_scan *scan, fc_ball_light *light, uint16_t row, uint16_t column,
-                                        uint32_t bits, const uint32_t *p, uint32_t e[32]) {
+                                    uint32_t bits, const uint32_t *p, uint32_t e[32]) {
   uint32_t rest;
   uint8_t i;
   for (i = 0, rest = bits; rest != 0; i++, rest >>= 1) e[i] = p[i];
@@ -660,17 +666,17 @@ static FC_COLD void light_row_among(const fc_scan *scan, fc_ball_light *light, u
 /* What a row of the sphere needs. */
 typedef struct sphere_forms {
   fc_cone cone;
-  int64_t b, b_dx;      /* C.W in units of sqrt(f) with 32 more bits; in a word it may drift by half a unit a pixel */
+  int64_t b, b_dx; /* C.W in units of sqrt(f) with 32 more bits; in a word it may drift by half a unit a pixel */
   uint32_t b_step;
   uint64_t last, last_dy; /* f at the row's last column, and to the next row's */
-  uint64_t sweep;       /* dxx times the steps to there */
-  uint64_t bend;        /* 120 dxx */
-  uint32_t ddm;         /* for root_run */
+  uint64_t sweep;         /* dxx times the steps to there */
+  uint64_t bend;          /* 120 dxx */
+  uint32_t ddm;           /* for root_run */
   uint32_t half;
   uint8_t fine;
-  int32_t outside;      /* high word of f below this: outside */
-  int32_t inside;       /* above this: inside, and sqrt(f) is good */
-  uint32_t error;       /* of p */
+  int32_t outside; /* high word of f below this: outside */
+  int32_t inside;  /* above this: inside, and sqrt(f) is good */
+  uint32_t error;  /* of p */
   int16_t drop;
   uint8_t lift, half_lift;
   bool clip;
@@ -678,7 +684,7 @@ typedef struct sphere_forms {
 
 /* Takes pixels beyond the far limit out of a run; returns those that it may cut. */
 static FC_COLD uint32_t clip_run(const fc_scan *scan, const sphere_forms *ball, uint16_t row, uint16_t column, const uint32_t *ps,
-                         uint32_t *p, const uint32_t *end) {
+                                 uint32_t *p, const uint32_t *end) {
   uint32_t open = 0;
   for (; p != end; p++) {
     int8_t within = 0;
@@ -972,7 +978,7 @@ static FC_COLD void set_ball(const fc_scan *scan, const fc_placed_sphere *placed
     *b_dy *= INT64_C(1) << gain;
     ball->half_lift = (uint8_t)(ball->half_lift - gain);
     /* near / z = (b + sqrt f) 2^(31 - gain - scale / 2) factor 2^exponent */
-    ball->drop = (int16_t)-(placed->exponent + 93 - half - gain);
+    ball->drop = (int16_t) - (placed->exponent + 93 - half - gain);
   }
   ball->b_step = (uint32_t)(((uint64_t)ball->b_dx + (UINT32_C(1) << 31)) >> 32);
   ball->outside = fc_high_word(-ball->cone.error);
@@ -1030,7 +1036,7 @@ static void next_row(sphere_forms *ball, int64_t b_dy) {
 
 /* The same for a coat. */
 static FC_NOINLINE void light_row_coated(const fc_scan *scan, const sphere_forms *ball, fc_ball_light *light, uint16_t row, uint16_t column,
-                                     uint32_t bits, const uint32_t *p, uint32_t e[32], fc_ball_coat *coat) {
+                                         uint32_t bits, const uint32_t *p, uint32_t e[32], fc_ball_coat *coat) {
   uint32_t rest, lit;
   uint8_t i;
   for (i = 0, rest = bits; rest != 0; i++, rest >>= 1) e[i] = p[i];
@@ -1159,7 +1165,7 @@ FC_COLD void fc_sphere_draw(fc_scan *scan) {
 /* ---- shadows ---- */
 
 FC_COLD bool fc_sphere_between(const fc_frame *frame, const fc_form *form, const int64_t light[3], const int64_t center[3],
-                       int64_t radius, fc_window *window) {
+                               int64_t radius, fc_window *window) {
   int32_t a[3], b[3]; /* 31 bits */
   int16_t x[3], y[3];
   uint32_t most = (uint32_t)form->u.sphere.radius | (uint32_t)radius;
@@ -1253,7 +1259,8 @@ static FC_COLD int8_t hides_closely(const fc_form *form, const int64_t light[3],
   /* the foot lies behind P: is P inside? */
   difference = ww - 2 * a + q;
   slack = e_w + 2 * e_a + e_q;
-  return difference > slack ? 0 : difference < -slack ? 1 : -1;
+  return difference > slack ? 0 : difference < -slack ? 1
+                                                      : -1;
 }
 
 FC_COLD int8_t fc_sphere_hides(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error) {
@@ -1398,7 +1405,7 @@ static FC_COLD void find_edges(fc_planar *receiver) {
     edge->error = (uint16_t)error;
     edge->sum = axes_of(edge->normal, &edge->greatest);
     a = axes_of(near, &b);
-    a += axes_of(next, &b); /* more than either */
+    a += axes_of(next, &b);                                   /* more than either */
     slack = (int32_t)((edge->sum + error * (a + 3)) / 4) + 4; /* 17 bits; 10 + 18 */
     inner = side_of(edge->normal, near);
     other = side_of(edge->normal, next);

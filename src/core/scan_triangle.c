@@ -27,11 +27,11 @@ typedef struct fc_brush { /* what is used most comes first: chips with short ins
   bool tinted;  /* scan->tint is that of this material */
   uint8_t high; /* tiles lie in bands of the frame, of so many rows, a power of two */
   uint16_t material;
-  uint16_t colour;     /* the unlit pixel as it lies in memory */
-  int16_t coder_drop;  /* what the coder was started for, or out of range */
-  uint32_t open;       /* of a depth code with 16 fraction bits: up to here its rounding is open */
-  uint32_t zero, step; /* of an even triangle: the code of p = 0, with half and open / 2; a column's step */
-  int32_t top, bottom; /* rows that the whole triangle may touch */
+  uint16_t colour;         /* the unlit pixel as it lies in memory */
+  int16_t coder_drop;      /* what the coder was started for, or out of range */
+  uint32_t open;           /* of a depth code with 16 fraction bits: up to here its rounding is open */
+  uint32_t zero, step;     /* of an even triangle: the code of p = 0, with half and open / 2; a column's step */
+  int32_t top, bottom;     /* rows that the whole triangle may touch */
   fc_spot spots[FC_SPOTS]; /* vertex v is kept in spot v % FC_SPOTS */
   fc_coder coder;
   fc_facet facet;
@@ -47,7 +47,6 @@ static void set_tint(fc_brush *brush) {
   colour[1] = brush->scan->tint.unlit[1];
   brush->material = brush->form.material;
 }
-
 
 static FC_COLD void fetch(fc_brush *brush) {
   if (brush->fetched) return;
@@ -93,7 +92,8 @@ static FC_NOINLINE void careful_pixel(fc_brush *brush, uint16_t row, uint16_t co
     if (q30_of(p, brush->facet.drop, &q) && q30_of(error, brush->facet.drop, &e)) {
       e += 2;
       if (q + e < frame->far_low) return;
-      within = q > e && q - e > frame->far_high ? 1 : q >> 30 == 0 ? fc_scan_far(brush->scan, row, column, q, e) : 0;
+      within = q > e && q - e > frame->far_high ? 1 : q >> 30 == 0 ? fc_scan_far(brush->scan, row, column, q, e)
+                                                                   : 0;
     }
     if (within < 0) return;
     if (within == 0) {
@@ -589,7 +589,7 @@ static bool draw_small(fc_brush *brush, const fc_placed_mesh *mesh, const fc_cor
 
 /* From screen coordinates; false when they do not tell enough. */
 static FC_NOINLINE bool draw_projected(fc_brush *brush, const fc_placed_mesh *mesh, const fc_corners *corners, const fc_tile *box,
-                           const fc_tile *seen) {
+                                       const fc_tile *seen) {
   int32_t x, y;
   fc_tile tile;
   if (brush->plain) set_tint(brush);

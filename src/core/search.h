@@ -22,7 +22,7 @@ typedef struct fc_reach {
   const int64_t *to;   /* three coordinates a corner ... */
   uint8_t corners;     /* ... of the region's hull; 0: `to` is the direction of a ray */
   int64_t radius;      /* the region reaches this far beyond its corners, an axis */
-  fc_quick limit;        /* rays: a visitor that sets it, and `limited`, is no longer asked about what lies beyond that t, within 2^-24 */
+  fc_quick limit;      /* rays: a visitor that sets it, and `limited`, is no longer asked about what lies beyond that t, within 2^-24 */
   bool limited;
 } fc_reach;
 

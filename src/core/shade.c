@@ -155,7 +155,8 @@ FC_COLD void fc_layers_apply(fc_shading *shading, uint8_t which) {
     void (*act)(fc_shading *, const void *);
     FC_READ_ONE(&layer, shading->material.layers + i);
     FC_READ_ONE(&kind, layer.kind);
-    act = which == FC_LAYER_SURFACE ? kind.surface : which == FC_LAYER_LIGHT ? kind.light : kind.follow;
+    act = which == FC_LAYER_SURFACE ? kind.surface : which == FC_LAYER_LIGHT ? kind.light
+                                                                             : kind.follow;
     if (act != NULL) act(shading, layer.data);
   }
 }

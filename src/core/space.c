@@ -223,7 +223,7 @@ FC_COLD uint8_t fc_form_meet(const fc_kind *kind, const fc_form *form, const int
 }
 
 FC_COLD bool fc_surface_meet(fc_surface *surface, const fc_space *space, uint16_t primitive, const int64_t origin[3],
-                     const int64_t direction[3]) {
+                             const int64_t direction[3]) {
   uint16_t index;
   if (!fc_cursor_find(&surface->at, space, primitive, &index)) return false;
   surface->primitive = primitive;

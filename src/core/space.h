@@ -18,9 +18,9 @@ typedef struct fc_room {
 
 /* Where geometry is read from. */
 typedef struct fc_space {
-  const fc_scene *scene; /* in RAM */
-  const void *memory;    /* camera-space copies of all tables in order; NULL: world coordinates */
-  const fc_view *view;   /* with memory: what brought them there */
+  const fc_scene *scene;  /* in RAM */
+  const void *memory;     /* camera-space copies of all tables in order; NULL: world coordinates */
+  const fc_view *view;    /* with memory: what brought them there */
   const uint8_t *entered; /* bit n % 8 of byte n / 8: whether a search enters node n of the hierarchy; NULL: all are */
   fc_room *room;          /* NULL: on the stack */
 } fc_space;

@@ -257,7 +257,7 @@ static FC_COLD void depth_range(const fc_frame *frame, const fc_group *group, ui
 }
 
 const fc_kind fc_kind_sphere FC_ROM = {
-    check,    memory, extent,      place,             fetch,            prepare,        test,             blocked,         facing, normal,
-    side,     NULL,   depth_range, fc_sphere_project, fc_sphere_window, fc_sphere_draw, fc_sphere_shadow, fc_sphere_between,
+    check, memory, extent, place, fetch, prepare, test, blocked, facing, normal,
+    side, NULL, depth_range, fc_sphere_project, fc_sphere_window, fc_sphere_draw, fc_sphere_shadow, fc_sphere_between,
     fc_sphere_hides,
     fc_sphere_strip, bounds, NULL, NULL, NULL};

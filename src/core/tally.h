@@ -10,16 +10,16 @@
 #include <stdbool.h>
 
 typedef enum fc_decision {
-  FC_DECIDE_EDGE,    /* side of a triangle's edge, primary ray */
-  FC_DECIDE_NEARER,  /* order of two roots */
-  FC_DECIDE_FAR,     /* a root against the far limit or an end of t's interval */
-  FC_DECIDE_DEPTH,   /* rounding of a depth code */
-  FC_DECIDE_FACING,  /* a surface and a light */
-  FC_DECIDE_SIDE,    /* a point and a plane */
-  FC_DECIDE_PIERCE,  /* a segment and a triangle's edges */
-  FC_DECIDE_PASS,    /* a segment and a sphere */
-  FC_DECIDE_PIXEL,   /* a pixel that the scan engine left to the ray engine */
-  FC_DECIDE_LIT,     /* ... a light at a pixel */
+  FC_DECIDE_EDGE,   /* side of a triangle's edge, primary ray */
+  FC_DECIDE_NEARER, /* order of two roots */
+  FC_DECIDE_FAR,    /* a root against the far limit or an end of t's interval */
+  FC_DECIDE_DEPTH,  /* rounding of a depth code */
+  FC_DECIDE_FACING, /* a surface and a light */
+  FC_DECIDE_SIDE,   /* a point and a plane */
+  FC_DECIDE_PIERCE, /* a segment and a triangle's edges */
+  FC_DECIDE_PASS,   /* a segment and a sphere */
+  FC_DECIDE_PIXEL,  /* a pixel that the scan engine left to the ray engine */
+  FC_DECIDE_LIT,    /* ... a light at a pixel */
   FC_DECISIONS
 } fc_decision;
 

@@ -21,7 +21,8 @@ static FC_COLD bool is_image(const fc_image *image) {
 /* v into 0 .. size - 1, by the image's rule. */
 static FC_COLD uint16_t wrap(int64_t v, uint16_t size, uint8_t clamp) {
   int64_t rest;
-  if (clamp) return v < 0 ? 0 : v >= size ? (uint16_t)(size - 1) : (uint16_t)v;
+  if (clamp) return v < 0 ? 0 : v >= size ? (uint16_t)(size - 1)
+                                          : (uint16_t)v;
   rest = v % size;
   return (uint16_t)(rest < 0 ? rest + size : rest);
 }

@@ -73,7 +73,8 @@ uint8_t fc_triangle_test(const fc_prepared *prepared, const int64_t direction[3]
   int64_t reach = fc_small_norm1(direction);
   int8_t side = fc_i128_sign(prepared->u.triangle.side);
   fc_i128 along;
-  if (side == 0 || side == prepared->u.triangle.hidden || edge_sign(prepared, 0, direction, reach) != side || edge_sign(prepared, 1, direction, reach) != side ||
+  if (side == 0 || side == prepared->u.triangle.hidden || edge_sign(prepared, 0, direction, reach) != side ||
+      edge_sign(prepared, 1, direction, reach) != side ||
       edge_sign(prepared, 2, direction, reach) != side)
     return 0;
   /* The edge forms add up to normal . direction, which therefore has the sign of `side` too. */
@@ -130,7 +131,8 @@ static FC_COLD bool pierced(const fc_form *form, fc_segment *segment) {
     subtract(form->u.triangle.vertex[next(i)], form->u.triangle.vertex[i], v[1]);
     fc_wide_start(w);
     for (j = 0; j < 4; j++)
-      for (k = 0; k < 3; k++) fc_wide_push64(w, (j < 2 ? v[j] : j == 2 ? fc_segment_direction(segment) : segment->light)[k]);
+      for (k = 0; k < 3; k++) fc_wide_push64(w, (j < 2 ? v[j] : j == 2 ? fc_segment_direction(segment)
+                                                                       : segment->light)[k]);
     fc_wide_run(w, program);
     sign = fc_segment_sign(segment, FC_DECIDE_PIERCE);
     if (sign * seen < 0) return false;

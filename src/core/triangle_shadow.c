@@ -220,7 +220,8 @@ static bool misses(const fc_planar *receiver, const int32_t a[3][3], int8_t sign
     }
     if (high < -error) outside = true;
     if (low > error) inside = true;
-    if (sign < 0 ? inside : sign > 0 ? outside : inside && outside) return true;
+    if (sign < 0 ? inside : sign > 0 ? outside
+                                     : inside && outside) return true;
     edges[i].at = fc_floor_shift32(value[0], 2);
     edges[i].right = fc_floor_shift32(value[1], 2) - edges[i].at; /* below 2^30 */
     edges[i].down = fc_floor_shift32(value[2], 2) - edges[i].at;

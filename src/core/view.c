@@ -186,7 +186,7 @@ FC_COLD bool fc_too_far_in(fc_wide *w, const fc_frame *frame, const fc_root *roo
   if (frame->scene.far_limit == 0) return false;
   /* 30-bit components: below 3 * 2^60 */
   return fc_root_compare_distance_in(w, root, fc_dot(d, d), frame->scene.far_limit,
-                                  fc_view_far_exponent(frame)) > 0;
+                                     fc_view_far_exponent(frame)) > 0;
 }
 
 FC_COLD bool fc_too_far(const fc_frame *frame, const fc_root *root, const int64_t d[3]) {

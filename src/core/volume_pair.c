@@ -13,7 +13,7 @@ FC_COLD int fc_sphere_sphere(const fc_sphere *a, const fc_sphere *b) {
   (void)fc_load(&a->center, p);
   (void)fc_load(&b->center, q);
   reach = (int64_t)a->radius + b->radius; /* 31 bits */
-  for (i = 0; i < 3; i++) { /* three squares below 2^62: below 2^64 without a sign */
+  for (i = 0; i < 3; i++) {               /* three squares below 2^62: below 2^64 without a sign */
     const uint64_t d = fc_abs64(p[i] - q[i]);
     distance2 += d * d;
   }

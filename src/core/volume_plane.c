@@ -5,7 +5,8 @@
 #include "view.h"
 #include "volume.h"
 
-static fc_side side_of(int64_t value) { return value == 0 ? FC_SIDE_ON : value > 0 ? FC_SIDE_FRONT : FC_SIDE_BACK; }
+static fc_side side_of(int64_t value) { return value == 0 ? FC_SIDE_ON : value > 0 ? FC_SIDE_FRONT
+                                                                                   : FC_SIDE_BACK; }
 
 FC_COLD int fc_point_plane(const fc_vec3 *point, const fc_plane *plane) {
   int64_t p[3];
@@ -22,7 +23,7 @@ FC_COLD int fc_sphere_plane(const fc_sphere *sphere, const fc_plane *plane) {
   if (error != FC_OK) return error;
   (void)fc_load(&sphere->center, c);
   (void)fc_load(&plane->normal, n);
-  value = fc_plane_value(plane, c); /* 63 bits with sign; its square below 2^126 */
+  value = fc_plane_value(plane, c);                                             /* 63 bits with sign; its square below 2^126 */
   reach2 = fc_i128_mul((int64_t)sphere->radius * sphere->radius, fc_dot(n, n)); /* 60 + 62 bits */
   return fc_i128_compare(fc_i128_mul(value, value), reach2) <= 0 ? (int)FC_SIDE_ON : (int)side_of(value);
 }

@@ -11,7 +11,10 @@
 
 #include "i128.h"
 
-enum { FC_WIDE_LIMBS = 128, FC_WIDE_VALUES = 18 };
+enum {
+  FC_WIDE_LIMBS = 128,
+  FC_WIDE_VALUES = 18
+};
 
 typedef struct fc_wide {
   uint8_t count;

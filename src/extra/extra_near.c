@@ -47,9 +47,9 @@ static int8_t sign_of_dot(const fc_i128 m[3], const int64_t v[3]) {
 
 /* |v . n| <= r |n|: (2 + 97 + 48) bits twice, 2 * 47 and 2 + 2 * 97. 21 + 12 + 3 + 10 + 13 + 6 + 20 limbs of 16 bits. */
 static bool near_along(const fc_i128 n[3], const int64_t v[3], int64_t r) {
-  static const uint8_t program[] FC_ROM = {DOT(0, 3),                                       /* 7: v . n */
-                                           DOT(0, 0),                                       /* 8: n^2 */
-                                           FC_SUM(1, 0), FC_TIMES(6, 6),                    /* 9: r^2 */
+  static const uint8_t program[] FC_ROM = {DOT(0, 3),                    /* 7: v . n */
+                                           DOT(0, 0),                    /* 8: n^2 */
+                                           FC_SUM(1, 0), FC_TIMES(6, 6), /* 9: r^2 */
                                            FC_SUM(1, 1), FC_TIMES(8, 9), FC_TIMES(7, 7), 0};
   fc_wide w;
   fc_wide_start(&w);

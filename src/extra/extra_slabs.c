@@ -61,7 +61,8 @@ int fc_point_slabs(const fc_vec3 *point, const fc_slab *slabs, uint8_t count) {
 int fc_slabs_slabs(const fc_slab *a, const fc_slab *b, uint8_t count) {
   int64_t m[3], n[3];
   uint8_t i;
-  int met = 1, error = a == NULL || b == NULL ? FC_ERR_NULL : count == 0 ? FC_ERR_COUNT : FC_OK;
+  int met = 1, error = a == NULL || b == NULL ? FC_ERR_NULL : count == 0 ? FC_ERR_COUNT
+                                                                         : FC_OK;
   for (i = 0; i < count && error == FC_OK; i++) {
     error = load_slab(m, a + i);
     if (error == FC_OK) error = load_slab(n, b + i);
@@ -75,7 +76,8 @@ int fc_slabs_fit(fc_slab *slabs, uint8_t count, const fc_vec3 *points, uint16_t 
   int64_t p[3], n[3];
   uint16_t j;
   uint8_t i;
-  int error = slabs == NULL || points == NULL ? FC_ERR_NULL : count == 0 || point_count == 0 ? FC_ERR_COUNT : FC_OK;
+  int error = slabs == NULL || points == NULL ? FC_ERR_NULL : count == 0 || point_count == 0 ? FC_ERR_COUNT
+                                                                                             : FC_OK;
   for (i = 0; i < count && error == FC_OK; i++) error = load_normal(n, slabs + i);
   for (j = 0; j < point_count && error == FC_OK; j++) error = fc_volume_load(p, points + j);
   if (error != FC_OK) return error;

@@ -8,9 +8,9 @@
 #include "volume.h"
 
 typedef struct triangle_motion {
-  int64_t from[3], to[3];             /* 30 bits */
-  int64_t vertex[3][3], edge[3][3];   /* 46 bits, in ticks; 31 bits, in units */
-  int64_t radius;                     /* in ticks */
+  int64_t from[3], to[3];           /* 30 bits */
+  int64_t vertex[3][3], edge[3][3]; /* 46 bits, in ticks; 31 bits, in units */
+  int64_t radius;                   /* in ticks */
 } triangle_motion;
 
 /* Segment and triangle are nearest where the path goes through the face, at an end of the path over the face, or at an edge. */

@@ -33,17 +33,17 @@ typedef struct run {
   fc_panel_state panel;
   fc_display display;
   fc_display_capabilities capabilities;
-  fc_area place;           /* of the picture */
-  uint16_t send_rows;      /* rows sent at a time: strip_rows, or a page of FC_DISPLAY_MONO8 */
+  fc_area place;      /* of the picture */
+  uint16_t send_rows; /* rows sent at a time: strip_rows, or a page of FC_DISPLAY_MONO8 */
   size_t send_pitch;
-  uint8_t *pixels;         /* where strips are drawn; NULL: in the buffer that is sent */
+  uint8_t *pixels; /* where strips are drawn; NULL: in the buffer that is sent */
   uint8_t *send[FC_QUEUE_STRIPS];
   uint16_t *depth;
   void *frame_memory;
-  fc_scratch *scratch;     /* what strips are drawn in */
+  fc_scratch *scratch; /* what strips are drawn in */
   size_t frame_bytes;
-  uint8_t buffers, turn;   /* how many of `send` there are, which one is free */
-  fc_queue queue;          /* of more than two */
+  uint8_t buffers, turn; /* how many of `send` there are, which one is free */
+  fc_queue queue;        /* of more than two */
   fc_frame frame;
   fc_controls controls;
   tally tally;
@@ -331,9 +331,11 @@ static int show_pattern(run *self) {
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-void fc_firmware_frame_shown(void) {
+void
+fc_firmware_frame_shown(void) {
 #ifdef __GNUC__
-  __asm__ volatile("" ::: "memory"); /* so that the call stays */
+  __asm__ volatile("" ::
+                       : "memory"); /* so that the call stays */
 #endif
 }
 

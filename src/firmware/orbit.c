@@ -3,7 +3,7 @@
 #include "fixcast/config.h"
 
 /* Sines of 0, 6, ... 90 degrees, Q15, rounded to nearest. */
-static const uint16_t sines[16] FC_ROM = {0,     3425,  6813,  10126, 13328, 16384, 19261, 21926,
+static const uint16_t sines[16] FC_ROM = {0, 3425, 6813, 10126, 13328, 16384, 19261, 21926,
                                           24351, 26510, 28378, 29935, 31164, 32052, 32588, 32768};
 
 static int32_t sine_q15(uint16_t step) {

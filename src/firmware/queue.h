@@ -4,7 +4,9 @@
 
 #include "fixcast/display.h"
 
-enum { FC_QUEUE_STRIPS = 4 };
+enum {
+  FC_QUEUE_STRIPS = 4
+};
 
 /*
  * Filled by fc_queue_start(); fields are private. One thread adds strips; `ready` of the display's transfers runs in an interrupt of that thread's

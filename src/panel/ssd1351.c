@@ -7,24 +7,24 @@
 #include "fixcast/panel.h"
 
 static const uint8_t init[] FC_ROM = {
-    0xFD, 1, 0x12,                          /* command lock: unlock */
-    0xFD, 1, 0xB1,                          /* command lock: the commands A2, B1, B3, BB, BE, C1 too */
-    0xAE, 0,                                /* display off (sleep) */
-    0xB3, 1, 0xF1,                          /* clock divider 2, fastest oscillator */
-    0xCA, 1, 127,                           /* multiplex ratio: 128 rows */
-    0xA1, 1, 0,                             /* start line */
-    0xA2, 1, 0,                             /* offset (reset value: 96) */
-    0xAB, 1, 0x01,                          /* internal VDD regulator, serial interface */
-    0xB1, 1, 0x32,                          /* phase lengths */
-    0xB4, 3, 0xA0, 0xB5, 0x55,              /* segment low voltage: external */
-    0xBB, 1, 0x17,                          /* pre-charge voltage */
-    0xB6, 1, 0x01,                          /* second pre-charge period */
-    0xBE, 1, 0x05,                          /* VCOMH 0.82 VCC */
-    0xC1, 3, 0xC8, 0x80, 0xC8,              /* contrast of the three colours */
-    0xC7, 1, 0x0F,                          /* master contrast: full */
-    0xB9, 0,                                /* linear grey scale */
-    0xA6, 0,                                /* normal display */
-    0xAF, 0,                                /* display on */
+    0xFD, 1, 0x12,             /* command lock: unlock */
+    0xFD, 1, 0xB1,             /* command lock: the commands A2, B1, B3, BB, BE, C1 too */
+    0xAE, 0,                   /* display off (sleep) */
+    0xB3, 1, 0xF1,             /* clock divider 2, fastest oscillator */
+    0xCA, 1, 127,              /* multiplex ratio: 128 rows */
+    0xA1, 1, 0,                /* start line */
+    0xA2, 1, 0,                /* offset (reset value: 96) */
+    0xAB, 1, 0x01,             /* internal VDD regulator, serial interface */
+    0xB1, 1, 0x32,             /* phase lengths */
+    0xB4, 3, 0xA0, 0xB5, 0x55, /* segment low voltage: external */
+    0xBB, 1, 0x17,             /* pre-charge voltage */
+    0xB6, 1, 0x01,             /* second pre-charge period */
+    0xBE, 1, 0x05,             /* VCOMH 0.82 VCC */
+    0xC1, 3, 0xC8, 0x80, 0xC8, /* contrast of the three colours */
+    0xC7, 1, 0x0F,             /* master contrast: full */
+    0xB9, 0,                   /* linear grey scale */
+    0xA6, 0,                   /* normal display */
+    0xAF, 0,                   /* display on */
     FC_PANEL_END};
 static const uint8_t off[] FC_ROM = {0xAE, 0, FC_PANEL_END};
 /* Re-map: 65536 colours, commons split odd and even, colours swapped (red first); upright, commons re-mapped, turned, columns. */

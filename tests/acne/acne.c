@@ -18,7 +18,12 @@
 #include "space.h"
 #include "view.h"
 
-enum { SIZE = 48, LIGHTS = 24, FACES = 320, VERTICES = 162 };
+enum {
+  SIZE = 48,
+  LIGHTS = 24,
+  FACES = 320,
+  VERTICES = 162
+};
 
 static const fc_material materials[] = {FC_MATTE(FC_RGB8(255, 255, 255))};
 static fc_sphere sphere;
@@ -62,12 +67,16 @@ static int middle(int a, int b, int64_t radius) {
 }
 
 static void make_icosphere(int64_t radius, int cuts) {
+  /* clang-format off */
   static const uint8_t net[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
                                      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},   {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
                                      {3, 8, 9},   {4, 9, 5},  {2, 4, 11},  {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+  /* clang-format on */
+  /* clang-format off */
   static const int corner[12][3] = {{-500, 809, 0}, {500, 809, 0},  {-500, -809, 0}, {500, -809, 0},
                                     {0, -500, 809}, {0, 500, 809},  {0, -500, -809}, {0, 500, -809},
                                     {809, 0, -500}, {809, 0, 500},  {-809, 0, -500}, {-809, 0, 500}};
+  /* clang-format on */
   int i;
   face_count = vertex_count = 0;
   for (i = 0; i < 12; i++) (void)add_vertex(corner[i][0], corner[i][1], corner[i][2], radius);
@@ -89,8 +98,10 @@ static void make_icosphere(int64_t radius, int cuts) {
 }
 
 static void make_box(int32_t half) {
+  /* clang-format off */
   static const uint8_t net[12][3] = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
                                      {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
+  /* clang-format on */
   fc_vec3 e[3];
   int i;
   /* three whole edges, at right angles or not: a parallelepiped is convex exactly */

@@ -14,7 +14,10 @@ static unsigned used;
 static void call(uint32_t operation, const void *argument) {
   register uint32_t r0 __asm__("r0") = operation;
   register const void *r1 __asm__("r1") = argument;
-  __asm__ volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory");
+  __asm__ volatile("bkpt 0xab"
+                   : "+r"(r0)
+                   : "r"(r1)
+                   : "memory");
 }
 
 void semihost_flush(void) {

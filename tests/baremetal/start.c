@@ -12,7 +12,8 @@ void reset(void) {
   uint32_t *to;
 #ifdef __ARM_FP
   *(volatile uint32_t *)0xe000ed88 |= UINT32_C(0xf) << 20; /* CPACR: the floating-point unit is off after reset */
-  __asm__ volatile("dsb\n isb" ::: "memory");
+  __asm__ volatile("dsb\n isb" ::
+                       : "memory");
 #endif
   for (to = data_start; to < data_end; to++) *to = *from++;
   for (to = bss_start; to < bss_end; to++) *to = 0;

@@ -8,7 +8,10 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { SIZE = 6, EACH = 3 };
+enum {
+  SIZE = 6,
+  EACH = 3
+};
 
 static fc_sphere spheres[EACH];
 static fc_plane planes[EACH];
@@ -158,9 +161,13 @@ static void run(int wild, int trials, int least) {
 }
 
 #ifdef FIXCAST_BAREMETAL
-enum { TRIALS = 60 }; /* emulated */
+enum {
+  TRIALS = 60
+}; /* emulated */
 #else
-enum { TRIALS = 6000 };
+enum {
+  TRIALS = 6000
+};
 #endif
 
 static void test_g12_scenes_of_any_bits(void) { run(1, TRIALS, TRIALS / 20); }

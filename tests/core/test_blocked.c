@@ -75,7 +75,7 @@ static void test_triangle_blocks(void) {
   TEST_ASSERT_EQUAL_INT(1, between(vec(50, 50, -5), vec(50, 50, 5))); /* through an edge */
   TEST_ASSERT_EQUAL_INT(1, between(vec(0, 0, -5), vec(0, 0, 5)));     /* through a vertex */
   TEST_ASSERT_EQUAL_INT(0, between(vec(51, 50, -5), vec(51, 50, 5)));
-  TEST_ASSERT_EQUAL_INT(0, between(vec(20, 20, 0), vec(20, 20, 5)));  /* starts in it */
+  TEST_ASSERT_EQUAL_INT(0, between(vec(20, 20, 0), vec(20, 20, 5))); /* starts in it */
   TEST_ASSERT_EQUAL_INT(0, between(vec(20, 20, 1), vec(20, 20, 5)));
   TEST_ASSERT_EQUAL_INT(0, between(vec(-5, 20, 0), vec(500, 20, 0))); /* in its plane */
 }

@@ -13,7 +13,10 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { EACH = 40, SIZE = 12 };
+enum {
+  EACH = 40,
+  SIZE = 12
+};
 
 static fc_sphere spheres[EACH];
 static fc_plane planes[2];
@@ -36,7 +39,7 @@ static fc_vec3 any_point(int mode, fc_vec3 center, int32_t size) {
     int32_t step = size / 4 + 1;
     p = vec(center.x + within(-3, 3) * step, center.y + within(-3, 3) * step, center.z + within(-1, 1) * step);
   }
-  if (mode == 2) p = center; /* all the same */
+  if (mode == 2) p = center;     /* all the same */
   if (mode == 3) p.y = center.y; /* flat */
   return p;
 }
@@ -113,9 +116,19 @@ static void build(void) {
 }
 
 #ifdef FIXCAST_BAREMETAL
-enum { SCENES = 30, RAYS = 10, FRAMES = 20, DAMAGES = 200 };
+enum {
+  SCENES = 30,
+  RAYS = 10,
+  FRAMES = 20,
+  DAMAGES = 200
+};
 #else
-enum { SCENES = 4000, RAYS = 60, FRAMES = 3000, DAMAGES = 30000 };
+enum {
+  SCENES = 4000,
+  RAYS = 60,
+  FRAMES = 3000,
+  DAMAGES = 30000
+};
 #endif
 
 /* ---- structure ---- */

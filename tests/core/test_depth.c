@@ -9,9 +9,13 @@ void setUp(void) {}
 void tearDown(void) {}
 
 #ifdef FIXCAST_BAREMETAL
-enum { STEP = 509 }; /* emulated: a sample, ends included below */
+enum {
+  STEP = 509
+}; /* emulated: a sample, ends included below */
 #else
-enum { STEP = 1 };
+enum {
+  STEP = 1
+};
 #endif
 
 static const uint32_t nears[] = {1, 3, UINT32_C(65537), UINT32_C(0x3fffffff), UINT32_C(0xfffffffb)};

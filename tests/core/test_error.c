@@ -8,7 +8,10 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { FIRST = FC_OK, LAST = FC_ERR_LENS };
+enum {
+  FIRST = FC_OK,
+  LAST = FC_ERR_LENS
+};
 
 static int same(const char *a, const char *b) {
   while (*a == *b && *a != '\0') {

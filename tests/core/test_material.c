@@ -7,7 +7,10 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { SIZE = 8, TEXELS = 4 };
+enum {
+  SIZE = 8,
+  TEXELS = 4
+};
 
 /* Seen by `camera`, the wall's corners are the picture's; u goes to the right and v down. */
 static const fc_vec3 corners[] FC_ROM = {FC_VEC3(-2, 2, 0), FC_VEC3(2, 2, 0), FC_VEC3(2, -2, 0), FC_VEC3(-2, -2, 0)};
@@ -95,7 +98,9 @@ static void test_texels_stand_where_they_are_stored(void) {
     rgb565[i] = (uint16_t)(i << 11 | 4 * i << 5 | (31 - i));
   }
   for (format = FC_TEXEL_RGB888; format <= FC_TEXEL_GREY8; format++) {
-    hang_up(format == FC_TEXEL_RGB888 ? (const void *)rgb888 : format == FC_TEXEL_RGB565 ? (const void *)rgb565 : grey, (fc_texel_format)format);
+    hang_up(format == FC_TEXEL_RGB888 ? (const void *)rgb888 : format == FC_TEXEL_RGB565 ? (const void *)rgb565
+                                                                                         : grey,
+            (fc_texel_format)format);
     TEST_ASSERT_EQUAL_INT(FC_OK, draw(FC_RGB888));
     for (y = 0; y < SIZE; y++)
       for (x = 0; x < SIZE; x++) {
@@ -127,7 +132,9 @@ static void test_tiles_repeat_or_the_border_goes_on(void) {
     TEST_ASSERT_EQUAL_INT(FC_OK, draw(FC_RGB888));
     for (x = 0; x < SIZE; x++) {
       /* u of the pixel's middle, in sixteenths of a tile: -1 + 3 (2 x + 1) / 16 */
-      const int u = -16 + 3 * (2 * x + 1), texel = clamp ? (u < 0 ? 0 : u >= 16 ? 3 : u / 4) : (u + 16) % 16 / 4;
+      const int u = -16 + 3 * (2 * x + 1), texel = clamp ? (u < 0 ? 0 : u >= 16 ? 3
+                                                                                : u / 4)
+                                                         : (u + 16) % 16 / 4;
       TEST_ASSERT_EQUAL_INT(grey[texel], pixel(x, 5)[0]);
     }
   }

@@ -10,13 +10,25 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { WIDTH = 40, HEIGHT = 32, PIXELS = WIDTH * HEIGHT, RING = 11, VERTICES = RING + 2, FACES = 2 * RING, MESHES = 2 };
+enum {
+  WIDTH = 40,
+  HEIGHT = 32,
+  PIXELS = WIDTH * HEIGHT,
+  RING = 11,
+  VERTICES = RING + 2,
+  FACES = 2 * RING,
+  MESHES = 2
+};
 
 /* Emulated chips take a part of the scenes: every kind of them, as the host has gone through all. */
 #ifdef FIXCAST_BAREMETAL
-enum { PART = 8 };
+enum {
+  PART = 8
+};
 #else
-enum { PART = 1 };
+enum {
+  PART = 1
+};
 #endif
 
 static fc_vec3 vertices[MESHES][VERTICES], floor_corners[3];
@@ -42,8 +54,10 @@ static fc_vec3 at(int32_t x, int32_t y, int32_t z) {
 }
 
 /* cos and sin of 2 pi k / 11, times 1000. */
+/* clang-format off */
 static const int16_t ring[RING][2] = {{1000, 0},    {841, 541},  {415, 910},   {-142, 990},  {-655, 756}, {-959, 282},
                                       {-959, -282}, {-655, -756}, {-142, -990}, {415, -910}, {841, -541}};
+/* clang-format on */
 
 /* Two pyramids on a ring, through a linear map of whole numbers; counter-clockwise seen from outside. False when the map turns space
  * inside out, or nearly flat. */
@@ -250,7 +264,10 @@ static void test_shadows_are_those_of_faces(void) {
     trials++;
     add_mesh(0);
     add_mesh(1);
-    if (trial % 5 != 0) add_floor(lowest(0) - (trial % 5 == 1 ? 0 : trial % 5 == 2 ? 800 : trial % 5 == 3 ? -300 : 2), trial % 2 == 0);
+    if (trial % 5 != 0) add_floor(lowest(0) - (trial % 5 == 1 ? 0 : trial % 5 == 2 ? 800
+                                                                : trial % 5 == 3   ? -300
+                                                                                   : 2),
+                                  trial % 2 == 0);
     lamp.position = trial % 11 == 0 ? at(vertices[0][0].x / 2 + vertices[0][5].x / 2, vertices[0][0].y / 2 + vertices[0][5].y / 2,
                                          vertices[0][0].z / 2 + vertices[0][5].z / 2)
                                     : at(random_within(-20000, 20000), random_within(-2000, 30000), random_within(-30000, 5000));

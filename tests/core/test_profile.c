@@ -7,7 +7,12 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { WIDTH = 23, HEIGHT = 17, PIXELS = WIDTH * HEIGHT, GUARD = 0xc3 };
+enum {
+  WIDTH = 23,
+  HEIGHT = 17,
+  PIXELS = WIDTH * HEIGHT,
+  GUARD = 0xc3
+};
 
 static int64_t memory[64];
 static fc_frame frame;
@@ -101,7 +106,9 @@ static void test_picks_name_pixels_of_the_whole_frame(void) {
 
 /* Rows that start at multiples of four bytes are widened two pixels at a time; others byte by byte: the same picture. */
 static void test_half_resolution_on_any_alignment(void) {
-  enum { EVEN = WIDTH - 1 };
+  enum {
+    EVEN = WIDTH - 1
+  };
   static uint32_t words[EVEN * HEIGHT / 2 + HEIGHT];
   fc_options options;
   fc_target t = target();

@@ -64,7 +64,7 @@ static void test_planes(void) {
   TEST_ASSERT_EQUAL_INT(1, shoot(vec(0, 2000, 0), vec(0, -1, 0), &hit));
   TEST_ASSERT_EQUAL_UINT16(1, hit.primitive);
   TEST_ASSERT_EQUAL_INT32(1 << 30, hit.normal_q30.y);
-  TEST_ASSERT_EQUAL_INT(0, shoot(vec(0, 0, 0), vec(1, 0, 1), &hit));    /* parallel */
+  TEST_ASSERT_EQUAL_INT(0, shoot(vec(0, 0, 0), vec(1, 0, 1), &hit)); /* parallel */
   TEST_ASSERT_EQUAL_INT(0, shoot(vec(0, 1002, 0), vec(1, 0, 1), &hit));
   planes[0].d = -FC_COORDINATE_MAX;
   planes[0].d_exponent = 2;

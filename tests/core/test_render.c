@@ -8,7 +8,11 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { WIDTH = 48, HEIGHT = 36, PIXELS = WIDTH * HEIGHT };
+enum {
+  WIDTH = 48,
+  HEIGHT = 36,
+  PIXELS = WIDTH * HEIGHT
+};
 
 static int64_t memory[64];
 static fc_frame frame;

@@ -11,7 +11,13 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { WIDTH = 23, HEIGHT = 17, PIXELS = WIDTH * HEIGHT, GUARD = 0xc3, SCRATCH_WORDS = 4 * (33 * 33 + WIDTH + 1) };
+enum {
+  WIDTH = 23,
+  HEIGHT = 17,
+  PIXELS = WIDTH * HEIGHT,
+  GUARD = 0xc3,
+  SCRATCH_WORDS = 4 * (33 * 33 + WIDTH + 1)
+};
 
 static int64_t memory[64];
 static fc_frame frame;
@@ -236,10 +242,12 @@ static void test_g6_bad_arguments_are_refused_and_nothing_is_written(void) {
 
 /* ---- where rays go: asked of a lens of the test's own, which notes places and answers in its own colours ---- */
 
-enum { PLACES = 1024 };
+enum {
+  PLACES = 1024
+};
 static int32_t places[PLACES][2];
 static uint32_t place_count;
-static uint32_t kept_from, kept_step; /* ray kept_from + i kept_step is places[i] */
+static uint32_t kept_from, kept_step;  /* ray kept_from + i kept_step is places[i] */
 static int32_t edge_a, edge_b, edge_c; /* the half plane a x + b y < c is seen as an object, the rest is not; Q16 */
 
 /* The ray of the object, or none: what is seen there is then the background. */
@@ -503,7 +511,8 @@ static void test_quincunx_weights_sum_to_one_at_every_depth(void) {
   }
 }
 
-/* The lecture's rule as it is written there, recursive and without memory: rays by place, weights as areas. Places and sides in 1/64 pixels, areas in 1 / (8 4^depth) of the square. */
+/* The lecture's rule as it is written there, recursive and without memory: rays by place, weights as areas. Places and sides in 1/64 pixels,
+ * areas in 1 / (8 4^depth) of the square. */
 static uint32_t by_the_lecture(int32_t x, int32_t y, int32_t side, uint8_t depth, uint32_t *rays) {
   static const int8_t corner[4][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
   const bool centre = edge_a * (x + side / 2) + edge_b * (y + side / 2) < 64 * edge_c;
@@ -613,7 +622,9 @@ static void test_quincunx_halves_where_colours_differ_by_more_than_the_threshold
 
 static void test_a_pixel_is_the_mean_of_single_rays_shaded_alone(void) {
   /* Rays through sub-pixels are rays through the pixels of a larger frame: 5 x 5 of each by a frame five times as large. */
-  enum { N = 5 };
+  enum {
+    N = 5
+  };
   static fc_frame large;
   static int64_t large_memory[64];
   fc_sampling how = sampling_of(&fc_pattern_regular, N);
@@ -715,8 +726,10 @@ static void test_g2_sampled_frames_have_the_same_bits_everywhere(void) {
 
 /* The span of what a pinhole sees at its target's distance, here 2 * 4 * 3 / 6; what is no camera is refused. */
 static void test_orthographic_span_of_a_camera(void) {
+  /* clang-format off */
   const fc_camera right = {.eye = FC_VEC3(1, 2, 7), .target = FC_VEC3(1, 2, 3), .up = {0, 1, 0}, .tan_half_fov_numerator = 3,
                            .tan_half_fov_denominator = 6};
+  /* clang-format on */
   fc_orthographic lens;
   fc_camera camera = right;
   TEST_ASSERT_EQUAL_INT(FC_OK, fc_orthographic_of_camera(&lens, &camera));

@@ -9,14 +9,24 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { WIDTH = 37, HEIGHT = 29, PIXELS = WIDTH * HEIGHT, VERTICES = 16, TRIANGLES = 14 };
+enum {
+  WIDTH = 37,
+  HEIGHT = 29,
+  PIXELS = WIDTH * HEIGHT,
+  VERTICES = 16,
+  TRIANGLES = 14
+};
 
 static fc_vec3 vertices[VERTICES];
 /* Emulated chips take a part of the scenes: every kind of them, as the host has gone through all. */
 #ifdef FIXCAST_BAREMETAL
-enum { PART = 6 };
+enum {
+  PART = 6
+};
 #else
-enum { PART = 1 };
+enum {
+  PART = 1
+};
 #endif
 
 static fc_triangle triangles[TRIANGLES];
@@ -212,8 +222,10 @@ static void test_planes_that_pass_the_eye(void) {
 
 /* A box, closed: with its back faces left out it looks the same, light and shadows too. */
 static void test_closed_meshes_look_the_same(void) {
+  /* clang-format off */
   static const uint16_t faces[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                                         {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  /* clang-format on */
   int trial, i, j;
   for (trial = 0; trial < 40 / PART; trial++) {
     int32_t skew = random_within(-9000, 9000);

@@ -92,7 +92,7 @@ static void test_origin_on_inside_and_past(void) {
   TEST_ASSERT_EQUAL_INT(0, shoot(on, sideways, &hit));
   TEST_ASSERT_EQUAL_INT(1, shoot(on, inward, &hit));
   TEST_ASSERT_EQUAL_UINT64(UINT64_C(4) << 32, hit.t_q32); /* 2b/a = 2 * 50 / 25 */
-  TEST_ASSERT_TRUE(hit.inside); /* the far side, seen through the sphere */
+  TEST_ASSERT_TRUE(hit.inside);                           /* the far side, seen through the sphere */
   TEST_ASSERT_EQUAL_INT32(-(1 << 30), hit.normal_q30.z);
   TEST_ASSERT_EQUAL_INT(1, shoot(centre, sideways, &hit));
   TEST_ASSERT_EQUAL_UINT64(UINT64_C(2) << 32, hit.t_q32);

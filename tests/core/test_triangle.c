@@ -10,7 +10,9 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { MOST = 12 };
+enum {
+  MOST = 12
+};
 
 static const fc_material materials[] = {FC_MATTE(FC_WHITE)};
 static fc_vec3 vertices[MOST + 1];
@@ -112,8 +114,7 @@ static void test_g1_shared_edge_is_hit_once(void) {
 
 /* Family 2: the centre of a fan that surrounds the ray. */
 static void test_g1_fan_centre_is_hit_once(void) {
-  static const int32_t rim[12][2] = {{10, 0}, {9, 5},   {5, 9},   {0, 10},  {-5, 9}, {-9, 5},
-                                     {-10, 0}, {-9, -5}, {-5, -9}, {0, -10}, {5, -9}, {9, -5}};
+  static const int32_t rim[12][2] = {{10, 0}, {9, 5}, {5, 9}, {0, 10}, {-5, 9}, {-9, 5}, {-10, 0}, {-9, -5}, {-5, -9}, {0, -10}, {5, -9}, {9, -5}};
   int trial;
   for (trial = 0; trial < 1000; trial++) {
     uint16_t n = (uint16_t)random_within(3, 12), i;

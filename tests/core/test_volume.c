@@ -9,7 +9,9 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { MOST = FC_COORDINATE_MAX };
+enum {
+  MOST = FC_COORDINATE_MAX
+};
 
 static void test_g16_touching_counts_as_meeting(void) {
   const fc_vec3 origin = {-5, 1, 0}, along = {3, 0, 0}, corner[3] = {{1, 1, 3}, {3, 1, 1}, {3, 3, 3}};

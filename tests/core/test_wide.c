@@ -16,8 +16,8 @@ static const fc_quick no_value = {0, 0};
 static void test_ring_identities(void) {
   static const uint8_t longer[] = {FC_SUM(1, 0), FC_TIMES(0, 1), 0};
   /* 0 a, 1 b, 2 one */
-  static const uint8_t program[] = {FC_SUM(2, 0), FC_TIMES(0, 2), FC_TIMES(1, 2), /* 3 */
-                                    FC_SUM(1, 1), FC_TIMES(0, 2), FC_TIMES(1, 2), /* 4 */
+  static const uint8_t program[] = {FC_SUM(2, 0), FC_TIMES(0, 2), FC_TIMES(1, 2),                 /* 3 */
+                                    FC_SUM(1, 1), FC_TIMES(0, 2), FC_TIMES(1, 2),                 /* 4 */
                                     FC_SUM(2, 1), FC_TIMES(3, 4), FC_TIMES(1, 1), FC_TIMES(0, 0), /* 5: 0 */
                                     FC_SUM(1, 2), FC_TIMES(3, 2), FC_TIMES(0, 2), FC_TIMES(1, 2), /* 6: 0 */
                                     FC_SUM(0, 2), FC_TIMES(0, 0), FC_TIMES(1, 1),                 /* 7: not positive */

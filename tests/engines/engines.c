@@ -13,7 +13,10 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { WORDS = 20000, MOST = 240 * 240 };
+enum {
+  WORDS = 20000,
+  MOST = 240 * 240
+};
 
 typedef struct picture {
   uint8_t pixels[MOST * 3];
@@ -135,8 +138,10 @@ static void run(size_t scene, uint16_t width, uint16_t height, uint8_t rule, uin
   options.depth_exponent_bits = depth_bits;
   options.epsilon = 64;
   snprintf(what, sizeof what, "%s %ux%u, offset rule %u, depth bits %u", scenes[scene].name, width, height, rule, depth_bits);
+  /* clang-format off */
   TEST_ASSERT_EQUAL_INT_MESSAGE(FC_OK, fc_frame_setup(&frame, scenes[scene].scene, scenes[scene].camera, &options, width,
                                                       height, memory, sizeof memory), what);
+  /* clang-format on */
   for (format = FC_RGB888; format <= FC_RGB565_LE; format++) {
     fc_target t = target_of(&rays, 0, format, 0);
     TEST_ASSERT_EQUAL_INT_MESSAGE(FC_OK, fc_render_rows_by_rays(&frame, 0, height, &t), what);

@@ -13,7 +13,12 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { WORDS = 20000, MOST = 240 * 240, LEFT_ALONE = 0x5a, BESIDE = 7 };
+enum {
+  WORDS = 20000,
+  MOST = 240 * 240,
+  LEFT_ALONE = 0x5a,
+  BESIDE = 7
+};
 
 typedef struct picture {
   uint8_t pixels[MOST * 3 + 240 * BESIDE];
@@ -85,8 +90,10 @@ static void set_up(size_t scene, uint16_t width, uint16_t height, uint8_t profil
   fc_options options;
   memset(&options, 0, sizeof options);
   options.profile = profile;
+  /* clang-format off */
   TEST_ASSERT_EQUAL_INT_MESSAGE(FC_OK, fc_frame_setup(&frame, scenes[scene].scene, scenes[scene].camera, &options, width,
                                                       height, memory, sizeof memory), scenes[scene].name);
+  /* clang-format on */
 }
 
 /* The exact frame into `exact`. */

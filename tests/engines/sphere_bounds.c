@@ -50,8 +50,9 @@ static void test_short_way_is_within_its_bound(void) {
     tight += error < 64;
     z = ldexpl(frame.depth_near, 30 + drop) / p; /* near / z = p / 2^(30 + drop) */
     for (i = 0; i < 3; i++) {
-      const long double d = i == 0 ? ldexpl(2 * scan.x + 1 - frame.width, frame.view.pixel_shift)
-                          : i == 1 ? ldexpl(frame.height - 2 * scan.y - 1, frame.view.pixel_shift) : frame.view.focal;
+      const long double d = i == 0   ? ldexpl(2 * scan.x + 1 - frame.width, frame.view.pixel_shift)
+                            : i == 1 ? ldexpl(frame.height - 2 * scan.y - 1, frame.view.pixel_shift)
+                                     : frame.view.focal;
       const long double exact = ldexpl(d * z / frame.view.focal - lights[i], -light.unit);
       TEST_ASSERT_TRUE(fabsl(exact - way[i]) <= error + 1); /* and the floor that callers count with */
     }

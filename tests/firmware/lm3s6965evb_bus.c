@@ -38,7 +38,7 @@ static uint32_t fastest(uint32_t hz) {
 }
 
 static void check_clocks(void) {
-  static const uint32_t asked[] = {768,     769,     800,     1000,     9600,     97655,    97657,    98000,    1000000,  3571428, 3571429,
+  static const uint32_t asked[] = {768, 769, 800, 1000, 9600, 97655, 97657, 98000, 1000000, 3571428, 3571429,
                                    4000000, 4166666, 4166667, 10000000, 12499999, 12500000, 24999999, 25000000, 62500000, UINT32_MAX};
   const fc_bus_ops *ops = ssi_bus.ops;
   unsigned i;
@@ -86,9 +86,11 @@ static void check_transfers(void) {
     check(ops->data(ssi_bus.context, bytes, 1) == FC_OK, "data after bytes", counts[i]);
     check(one.called == 1, "ready was called for another transfer", counts[i]);
   }
-  __asm__ volatile("cpsid i" ::: "memory");
+  __asm__ volatile("cpsid i" ::
+                       : "memory");
   check(ops->data_start(ssi_bus.context, bytes, 100, ready, &none) == FC_OK && none.called == 0, "data_start does not return at once", 0);
-  __asm__ volatile("cpsie i" ::: "memory");
+  __asm__ volatile("cpsie i" ::
+                       : "memory");
   check(ops->wait(ssi_bus.context) == FC_OK && none.called == 1, "what was held up did not end", 0);
   check(ops->data_start(ssi_bus.context, bytes, 9, ready, &chained) == FC_OK, "data_start of a chain", 0);
   while (chained.called < 4 && clock_microseconds(0) < 2000000u) {
@@ -140,4 +142,5 @@ int main(void) {
   return 0;
 }
 
-__attribute__((noinline)) void fc_firmware_frame_shown(void) { __asm__ volatile("" ::: "memory"); }
+__attribute__((noinline)) void fc_firmware_frame_shown(void) { __asm__ volatile("" ::
+                                                                                    : "memory"); }

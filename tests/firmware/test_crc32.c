@@ -3,7 +3,9 @@
 
 #include "unity.h"
 
-enum { BYTES = 3000 };
+enum {
+  BYTES = 3000
+};
 
 static uint8_t bytes[BYTES];
 

@@ -6,14 +6,16 @@
 #include "fixcast/error.h"
 #include "unity.h"
 
-enum { STARTS = 64 };
+enum {
+  STARTS = 64
+};
 
 static struct {
   const void *started[STARTS];
   unsigned count, waits;
   fc_ready *ready; /* of what is under way, or NULL */
   void *context;
-  unsigned fail_at;  /* number of the start that fails, from 1; 0: none */
+  unsigned fail_at;   /* number of the start that fails, from 1; 0: none */
   unsigned end_early; /* from this start on, each ends before it returns */
 } fake;
 

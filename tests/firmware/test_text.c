@@ -24,8 +24,8 @@ void setUp(void) {
 }
 void tearDown(void) {}
 
-static const uint32_t values[] = {0,          1,          9,          10,         99,         100,        12345,      65535,      65536,
-                                  999999999,  1000000000, 2147483647, 2147483648, 4294967295, 4000000000, 3000000001, 0xdeadbeef, 0x0a0b0c0d};
+static const uint32_t values[] = {0, 1, 9, 10, 99, 100, 12345, 65535, 65536,
+                                  999999999, 1000000000, 2147483647, 2147483648, 4294967295, 4000000000, 3000000001, 0xdeadbeef, 0x0a0b0c0d};
 enum {
   COUNT = sizeof values / sizeof values[0]
 };

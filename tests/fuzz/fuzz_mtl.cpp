@@ -1,4 +1,5 @@
-/* Wavefront materials of any bytes: refused with one clean line, or read, each under its name. (Colours may be no numbers, such as 0e991: the reader of models makes 0 of them.) */
+/* Wavefront materials of any bytes: refused with one clean line, or read, each under its name. (Colours may be no numbers, such as 0e991: the
+ * reader of models makes 0 of them.) */
 #include "obj_materials.h"
 #include "scene_check.h"
 

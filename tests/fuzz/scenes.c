@@ -5,11 +5,13 @@
 #include "s1.h"
 
 static const fc_vec3 mesh_vertices[] = {
-    FC_VEC3(1, 0, 0),  FC_VEC3(-1, 0, 0),  FC_VEC3(0, 1, 0),  FC_VEC3(0, -1, 0),  FC_VEC3(0, 0, 1),
+    FC_VEC3(1, 0, 0), FC_VEC3(-1, 0, 0), FC_VEC3(0, 1, 0), FC_VEC3(0, -1, 0), FC_VEC3(0, 0, 1),
     FC_VEC3(0, 0, -1), FC_VEC3(-4, -1, 4), FC_VEC3(4, -1, 4), FC_VEC3(4, -1, -4), FC_VEC3(-4, -1, -4)};
 static const fc_triangle mesh_triangles[] = {
+    /* clang-format off */
     {{0, 2, 4}, 0, 1}, {{2, 1, 4}, 0, 1}, {{1, 3, 4}, 0, 1}, {{3, 0, 4}, 0, 1}, {{2, 0, 5}, 0, 1},
     {{1, 2, 5}, 0, 1}, {{3, 1, 5}, 0, 1}, {{0, 3, 5}, 0, 1}, {{6, 7, 8}, 1, 2}, {{6, 8, 9}, 1, 2}};
+/* clang-format on */
 static const fc_material mesh_materials[] = {FC_MATTE(FC_RGB8(200, 120, 40)), FC_MATTE(FC_RGB8(160, 160, 170))};
 static const fc_light mesh_lights[] = {{FC_VEC3(0, 5, 0), FC_GREY(0.5), 0, 0, 0, 0},
                                        {FC_VEC3(-3, 2, 4), FC_GREY(0.5), 0, 4, 1, 0}};

@@ -14,7 +14,7 @@ const fc_lens_kind *const every_lens[] = {&fc_lens_pinhole, &fc_lens_orthographi
 
 int main(void) {
   const void *const *const named[] = {(const void *const *)every_layer, (const void *const *)every_texture, (const void *const *)every_mapping,
-                                      (const void *const *)every_sky,   (const void *const *)every_transfer, (const void *const *)every_pattern,
+                                      (const void *const *)every_sky, (const void *const *)every_transfer, (const void *const *)every_pattern,
                                       (const void *const *)every_lens, (const void *const *)every_triangle};
   const fc_sampling how = {0};
   const fc_vec3 origin = {0, 0, 0}, along = {1, 2, 3};

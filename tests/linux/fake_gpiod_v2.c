@@ -84,7 +84,9 @@ enum gpiod_line_direction gpiod_line_info_get_direction(struct gpiod_line_info *
   return info->of.output ? GPIOD_LINE_DIRECTION_OUTPUT : GPIOD_LINE_DIRECTION_INPUT;
 }
 
-struct gpiod_line_settings *gpiod_line_settings_new(void) { return make(sizeof(struct gpiod_line_settings)); }
+struct gpiod_line_settings *gpiod_line_settings_new(void) {
+  return make(sizeof(struct gpiod_line_settings));
+}
 
 void gpiod_line_settings_free(struct gpiod_line_settings *settings) { end(settings); }
 
@@ -103,7 +105,9 @@ int gpiod_line_settings_set_output_value(struct gpiod_line_settings *settings, e
   return fake_fails() ? -1 : 0;
 }
 
-struct gpiod_line_config *gpiod_line_config_new(void) { return make(sizeof(struct gpiod_line_config)); }
+struct gpiod_line_config *gpiod_line_config_new(void) {
+  return make(sizeof(struct gpiod_line_config));
+}
 
 void gpiod_line_config_free(struct gpiod_line_config *config) { end(config); }
 
@@ -115,7 +119,9 @@ int gpiod_line_config_add_line_settings(struct gpiod_line_config *config, const 
   return 0;
 }
 
-struct gpiod_request_config *gpiod_request_config_new(void) { return make(sizeof(struct gpiod_request_config)); }
+struct gpiod_request_config *gpiod_request_config_new(void) {
+  return make(sizeof(struct gpiod_request_config));
+}
 
 void gpiod_request_config_free(struct gpiod_request_config *config) { end(config); }
 
@@ -156,5 +162,6 @@ enum gpiod_line_value gpiod_line_request_get_value(struct gpiod_line_request *re
   errno = EINVAL;
   if (offset != request->offset || fake_fails()) return GPIOD_LINE_VALUE_ERROR;
   level = fake_level(request->of);
-  return level < 0 ? GPIOD_LINE_VALUE_ERROR : level ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE;
+  return level < 0 ? GPIOD_LINE_VALUE_ERROR : level ? GPIOD_LINE_VALUE_ACTIVE
+                                                    : GPIOD_LINE_VALUE_INACTIVE;
 }

@@ -13,7 +13,9 @@
 #include <sys/stat.h>
 #include <time.h>
 
-enum { SPIDEV_FILE = 4711 };
+enum {
+  SPIDEV_FILE = 4711
+};
 
 static const char spidev_path[] = "/dev/spidev0.0";
 
@@ -114,7 +116,8 @@ static int message(const struct spi_ioc_transfer *transfer) {
   size_t count = transfer->len;
   kernel.messages++;
   if (count > kernel.largest_message) kernel.largest_message = count;
-  errno = count > kernel.limit ? EMSGSIZE : kernel.message_error != 0 && kernel.messages >= kernel.message_at ? kernel.message_error : 0;
+  errno = count > kernel.limit ? EMSGSIZE : kernel.message_error != 0 && kernel.messages >= kernel.message_at ? kernel.message_error
+                                                                                                              : 0;
   if (errno != 0) return -1;
   if (kernel.gated) {
     struct timespec end;
@@ -196,7 +199,8 @@ int __wrap_stat(const char *path, struct stat *status) {
   if (strncmp(path, "/dev/", 5) != 0) return __real_stat(path, status);
   memset(status, 0, sizeof *status);
   status->st_mode = S_IFCHR | 0660;
-  status->st_gid = strcmp(path, spidev_path) == 0 ? 999 : strcmp(path, "/dev/gpiochip0") == 0 ? 998 : 997;
+  status->st_gid = strcmp(path, spidev_path) == 0 ? 999 : strcmp(path, "/dev/gpiochip0") == 0 ? 998
+                                                                                              : 997;
   return 0;
 }
 

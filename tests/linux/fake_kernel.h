@@ -14,7 +14,10 @@
 
 #include "../panel/virtual_panel.h"
 
-enum { FAKE_LINES = 8, FAKE_CHIPS = 2 };
+enum {
+  FAKE_LINES = 8,
+  FAKE_CHIPS = 2
+};
 
 typedef struct fake_line {
   const char *name;     /* NULL: it has none */
@@ -35,24 +38,24 @@ typedef struct fake_kernel {
   unsigned chip_count;
   fake_line *dc, *reset; /* the panel's wires */
   /* spidev */
-  bool spidev;           /* there is /dev/spidev0.0 */
-  int spidev_error;      /* errno of opening it */
-  const char *bufsiz;    /* what the parameter's file says; NULL: no such file */
-  size_t limit;          /* more bytes a message are refused with EMSGSIZE */
-  size_t most;           /* a message sends no more than this and returns how many; 0: all */
-  int message_error;     /* errno of the message number message_at, from 1, and of all later ones; 0: none fails */
+  bool spidev;        /* there is /dev/spidev0.0 */
+  int spidev_error;   /* errno of opening it */
+  const char *bufsiz; /* what the parameter's file says; NULL: no such file */
+  size_t limit;       /* more bytes a message are refused with EMSGSIZE */
+  size_t most;        /* a message sends no more than this and returns how many; 0: all */
+  int message_error;  /* errno of the message number message_at, from 1, and of all later ones; 0: none fails */
   unsigned message_at;
-  bool gated;            /* a message waits for fake_gate, but ends with EIO after ten seconds */
-  bool slow;             /* a message takes a millisecond before its bytes leave */
+  bool gated;                /* a message waits for fake_gate, but ends with EIO after ten seconds */
+  bool slow;                 /* a message takes a millisecond before its bytes leave */
   uint32_t mode, hz, hz_max; /* registers; hz_max: above it the clock is refused with EINVAL */
-  int line_error;        /* errno of setting or reading a line; 0: it works */
-  int thread_error;      /* of starting a thread */
+  int line_error;            /* errno of setting or reading a line; 0: it works */
+  int thread_error;          /* of starting a thread */
   /* the call number fail_at, from 1, of all that can fail, fails with EIO */
   unsigned calls, fail_at;
   /* counts */
   unsigned messages;
   size_t largest_message;
-  int files, handles;    /* open now: files; chips and requests of libgpiod */
+  int files, handles; /* open now: files; chips and requests of libgpiod */
   virtual_panel panel;
 } fake_kernel;
 

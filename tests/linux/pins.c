@@ -19,7 +19,15 @@
 
 #include "../panel/virtual_panel.h"
 
-enum { SCK, MOSI, CS, DC, RESET, LIGHT, WIRES };
+enum {
+  SCK,
+  MOSI,
+  CS,
+  DC,
+  RESET,
+  LIGHT,
+  WIRES
+};
 
 static int line_of[WIRES];
 static bool level[WIRES];

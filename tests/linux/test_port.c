@@ -12,7 +12,11 @@
 #include "linux_probe.h"
 #include "unity.h"
 
-enum { SIDE = 240, STRIP = 16, FRAME_BYTES = SIDE * SIDE * 2 };
+enum {
+  SIDE = 240,
+  STRIP = 16,
+  FRAME_BYTES = SIDE * SIDE * 2
+};
 
 static const fc_linux_wiring wiring = {"/dev/spidev0.0", "GPIO25", "GPIO27", NULL};
 static fc_linux_error error;
@@ -105,8 +109,10 @@ static void test_transfers_are_as_large_as_bufsiz_allows(void) {
     const char *bufsiz;
     size_t limit, largest;
   } cases[] = {
+      /* clang-format off */
       {"4096\n", 4096, 4096}, {"1000\n", 896, 896}, {"65536\n", 65536, SIDE * 2 * STRIP}, {NULL, 4096, 4096}, {"\n", 4096, 4096},
       {"100\n", 100, 100}};
+  /* clang-format on */
   for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
     setUp();
     kernel.bufsiz = cases[i].bufsiz;
@@ -331,9 +337,10 @@ static void test_a_mode_or_clock_that_the_controller_has_not(void) {
   TEST_ASSERT_EQUAL_INT(FC_ERR_UNSUPPORTED, interface.ops->configure(interface.context, 1000000, 1));
   kernel.hz_max = 5000000;
   TEST_ASSERT_EQUAL_INT(FC_LINUX_ERROR(EINVAL), interface.ops->configure(interface.context, 6000000, 0));
-  TEST_ASSERT_EQUAL_STRING("/dev/spidev0.0: SPI_IOC_WR_MAX_SPEED_HZ 6000000: Invalid argument; the controller cannot do this: try another --hz or "
-                           "another device",
-                           fc_linux_bus_error(bus)->text);
+  TEST_ASSERT_EQUAL_STRING(
+      "/dev/spidev0.0: SPI_IOC_WR_MAX_SPEED_HZ 6000000: Invalid argument; the controller cannot do this: try another --hz or "
+      "another device",
+      fc_linux_bus_error(bus)->text);
   TEST_ASSERT_EQUAL_INT(FC_OK, interface.ops->configure(interface.context, 5000000, 0));
 }
 
@@ -356,13 +363,15 @@ static void fails_in_mid_frame(int number, const char *sentence) {
 }
 
 static void test_an_io_error_in_mid_frame(void) {
-  fails_in_mid_frame(EIO, "/dev/spidev0.0: SPI_IOC_MESSAGE of 4096 bytes, after 0 of 7680: Input/output error; "
-                          "try a slower clock (--hz) and look at the kernel's log (dmesg)");
+  fails_in_mid_frame(EIO,
+                     "/dev/spidev0.0: SPI_IOC_MESSAGE of 4096 bytes, after 0 of 7680: Input/output error; "
+                     "try a slower clock (--hz) and look at the kernel's log (dmesg)");
 }
 
 static void test_a_device_that_vanishes_in_mid_frame(void) {
-  fails_in_mid_frame(ESHUTDOWN, "/dev/spidev0.0: SPI_IOC_MESSAGE of 4096 bytes, after 0 of 7680: Cannot send after transport endpoint shutdown; "
-                                "the device has gone: is its driver still bound, the overlay still loaded?");
+  fails_in_mid_frame(ESHUTDOWN,
+                     "/dev/spidev0.0: SPI_IOC_MESSAGE of 4096 bytes, after 0 of 7680: Cannot send after transport endpoint shutdown; "
+                     "the device has gone: is its driver still bound, the overlay still loaded?");
 }
 
 static void test_a_message_that_is_too_long_after_all(void) {
@@ -370,9 +379,10 @@ static void test_a_message_that_is_too_long_after_all(void) {
   TEST_ASSERT_EQUAL_INT(FC_OK, start());
   kernel.limit = 4000;
   TEST_ASSERT_EQUAL_INT(FC_LINUX_ERROR(EMSGSIZE), draw());
-  TEST_ASSERT_EQUAL_STRING("/dev/spidev0.0: SPI_IOC_MESSAGE of 4096 bytes, after 0 of 7680: Message too long; spidev takes less at a time than its "
-                           "parameter bufsiz says: start again, or boot with spidev.bufsiz=65536",
-                           fc_linux_bus_error(bus)->text);
+  TEST_ASSERT_EQUAL_STRING(
+      "/dev/spidev0.0: SPI_IOC_MESSAGE of 4096 bytes, after 0 of 7680: Message too long; spidev takes less at a time than its "
+      "parameter bufsiz says: start again, or boot with spidev.bufsiz=65536",
+      fc_linux_bus_error(bus)->text);
 }
 
 static void test_a_gpio_chip_that_vanishes(void) {

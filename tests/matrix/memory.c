@@ -11,7 +11,8 @@ void *memcpy(void *to, const void *from, size_t bytes) {
   const uint8_t *f = from;
   while (bytes-- > 0) {
     *t++ = *f++;
-    __asm__ volatile("" ::: "memory");
+    __asm__ volatile("" ::
+                         : "memory");
   }
   return to;
 }
@@ -20,7 +21,8 @@ void *memset(void *to, int value, size_t bytes) {
   uint8_t *t = to;
   while (bytes-- > 0) {
     *t++ = (uint8_t)value;
-    __asm__ volatile("" ::: "memory");
+    __asm__ volatile("" ::
+                         : "memory");
   }
   return to;
 }

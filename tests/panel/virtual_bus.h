@@ -12,9 +12,9 @@
 
 typedef enum virtual_fault {
   VIRTUAL_NO_FAULT = 0,
-  VIRTUAL_FAIL, /* the byte number fault_at is not sent, and its transfer fails with VIRTUAL_FAULT_CODE; so do later ones */
+  VIRTUAL_FAIL,        /* the byte number fault_at is not sent, and its transfer fails with VIRTUAL_FAULT_CODE; so do later ones */
   VIRTUAL_READY_FAILS, /* a transfer that was started fails at that byte: data_start has returned FC_OK, `ready` and wait() tell */
-  VIRTUAL_STUCK /* a transfer that was started never ends: wait() gives up with FC_ERR_BUS */
+  VIRTUAL_STUCK        /* a transfer that was started never ends: wait() gives up with FC_ERR_BUS */
 } virtual_fault;
 enum {
   VIRTUAL_FAULT_CODE = -4711 /* a port's own code */

@@ -182,8 +182,8 @@ static const virtual_command st7735_commands[] = {
          .twelve_bits = true, .hz_max = 62500000, .sleep_in_us = 5000
 
 const virtual_model virtual_st7789_240 = {ST7789, .name = "st7789-240", .width = 240, .height = 240};
-const virtual_model virtual_st7789_135 = {ST7789,        .name = "st7789-135", .width = 135,
-                                          .height = 240, .glass_x = 52,        .glass_y = 40};
+const virtual_model virtual_st7789_135 = {ST7789, .name = "st7789-135", .width = 135,
+                                          .height = 240, .glass_x = 52, .glass_y = 40};
 const virtual_model virtual_st7789_320 = {ST7789, .name = "st7789-320", .width = 240, .height = 320};
 const virtual_model virtual_st7789_170 = {ST7789, .name = "st7789-170", .width = 170, .height = 320,
                                           .glass_x = 35};

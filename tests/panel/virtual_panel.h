@@ -32,8 +32,8 @@ typedef struct virtual_command {
 
 /* How one family of controllers understands bytes. */
 typedef struct virtual_family {
-  bool parameters_as_commands;     /* with D/C low */
-  bool pixels_without_command;     /* D/C high is always pixels */
+  bool parameters_as_commands; /* with D/C low */
+  bool pixels_without_command; /* D/C high is always pixels */
   void (*reset)(virtual_panel *panel);
   void (*execute)(virtual_panel *panel, uint8_t command, const uint8_t *parameters); /* all parameters have come */
   void (*pixel_byte)(virtual_panel *panel, uint8_t byte);
@@ -44,17 +44,17 @@ typedef struct virtual_family {
 typedef struct virtual_model {
   const char *name;
   const virtual_family *family;
-  const virtual_command *commands; /* ends with a count of VIRTUAL_PIXELS and first > last */
-  uint16_t memory_width, memory_height;   /* pixels */
-  uint16_t width, height;                 /* of the glass */
-  uint16_t glass_x, glass_y;              /* memory column and row of the glass's corner, counted from the mirrored side if mirrored */
-  bool mirror_x, mirror_y;                /* the glass is mounted the other way */
-  bool bgr;                               /* its colour filter is blue, green, red */
-  bool inverted;                          /* it needs inversion to be on */
-  bool twelve_bits;                       /* it takes 12 bits a pixel */
-  uint32_t hz_max;                        /* serial write clock; 10 MHz at most until the display is on */
-  uint32_t reset_low_us, reset_wait_us;   /* least time of reset, and from there to the first command */
-  uint32_t sleep_in_us;                   /* from sleep in to the next command */
+  const virtual_command *commands;      /* ends with a count of VIRTUAL_PIXELS and first > last */
+  uint16_t memory_width, memory_height; /* pixels */
+  uint16_t width, height;               /* of the glass */
+  uint16_t glass_x, glass_y;            /* memory column and row of the glass's corner, counted from the mirrored side if mirrored */
+  bool mirror_x, mirror_y;              /* the glass is mounted the other way */
+  bool bgr;                             /* its colour filter is blue, green, red */
+  bool inverted;                        /* it needs inversion to be on */
+  bool twelve_bits;                     /* it takes 12 bits a pixel */
+  uint32_t hz_max;                      /* serial write clock; 10 MHz at most until the display is on */
+  uint32_t reset_low_us, reset_wait_us; /* least time of reset, and from there to the first command */
+  uint32_t sleep_in_us;                 /* from sleep in to the next command */
 } virtual_model;
 
 struct virtual_panel {
@@ -78,7 +78,7 @@ struct virtual_panel {
   uint8_t direction, direction2, depth, addressing, offset, start_line, mux, common_pins;
   uint16_t x0, x1, y0, y1, x, y; /* window and write position, in the controller's units */
   bool window_full;
-  uint8_t part[3], parts; /* bytes of a pixel that is not complete */
+  uint8_t part[3], parts;              /* bytes of a pixel that is not complete */
   uint32_t memory[VIRTUAL_MEMORY_MAX]; /* 0xRRGGBB as the eye would see it if not inverted */
 };
 
@@ -90,10 +90,10 @@ const virtual_model *virtual_model_named(const char *name);
 
 /* Power on: memory holds noise, nothing is configured. */
 void virtual_open(virtual_panel *panel, const virtual_model *model);
-void virtual_time(virtual_panel *panel, uint32_t us);                   /* that much time passes */
+void virtual_time(virtual_panel *panel, uint32_t us);                    /* that much time passes */
 void virtual_clock(virtual_panel *panel, uint32_t hz, uint8_t spi_mode); /* of the bytes to come */
 void virtual_reset(virtual_panel *panel, bool active);
-void virtual_feed(virtual_panel *panel, bool data, uint8_t byte);       /* one byte; `data`: D/C is high as its last bit comes */
+void virtual_feed(virtual_panel *panel, bool data, uint8_t byte); /* one byte; `data`: D/C is high as its last bit comes */
 /* The stream is over: complains about what is incomplete. */
 void virtual_finish(virtual_panel *panel);
 /* What the eye sees at (x, y) of the glass held the right way up: 0xRRGGBB, black while the display is off. */
@@ -103,10 +103,11 @@ uint32_t virtual_shown(const virtual_panel *panel, uint16_t x, uint16_t y);
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
-void virtual_complain(virtual_panel *panel, const char *format, ...);
-void virtual_window(virtual_panel *panel);                      /* x0..y1 are set: checks them and opens the window */
-void virtual_next(virtual_panel *panel);                        /* the write position moves on, right, then down */
-bool virtual_writable(virtual_panel *panel);                    /* whether a pixel may be written now; complains if not */
-void virtual_whole_pixels(virtual_panel *panel);                /* complains when bytes of a pixel are missing, and forgets them */
+void
+virtual_complain(virtual_panel *panel, const char *format, ...);
+void virtual_window(virtual_panel *panel);       /* x0..y1 are set: checks them and opens the window */
+void virtual_next(virtual_panel *panel);         /* the write position moves on, right, then down */
+bool virtual_writable(virtual_panel *panel);     /* whether a pixel may be written now; complains if not */
+void virtual_whole_pixels(virtual_panel *panel); /* complains when bytes of a pixel are missing, and forgets them */
 
 #endif

@@ -106,7 +106,8 @@ static void execute_1351(virtual_panel *panel, uint8_t command, const uint8_t *p
 static void pixel_1351(virtual_panel *panel, uint8_t byte) {
   const unsigned colours = panel->direction >> 6;
   panel->part[panel->parts++] = byte;
-  if (panel->parts < (colours == 0 ? 1 : colours == 1 ? 2 : 3)) return;
+  if (panel->parts < (colours == 0 ? 1 : colours == 1 ? 2
+                                                      : 3)) return;
   panel->parts = 0;
   if (colours != 1) virtual_complain(panel, "re-map %02X: pixels are not of 16 bits", panel->direction);
   if (panel->direction & 0x01) virtual_complain(panel, "re-map %02X: addresses run down", panel->direction);

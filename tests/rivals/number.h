@@ -19,7 +19,8 @@ inline Fixed raw(int64_t v) {
 }
 inline int64_t cut(__int128 v) {
   const __int128 most = INT64_MAX;
-  return static_cast<int64_t>(v > most ? most : v < -most ? -most : v);
+  return static_cast<int64_t>(v > most ? most : v < -most ? -most
+                                                          : v);
 }
 inline Fixed operator+(Fixed a, Fixed b) { return raw(a.v + b.v); }
 inline Fixed operator-(Fixed a, Fixed b) { return raw(a.v - b.v); }
@@ -53,7 +54,8 @@ inline Fixed root(Fixed a) { /* floor(sqrt(v 2^16)), digit by digit */
 template <typename T>
 struct Vector {
   T x, y, z;
-  T operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+  T operator[](int i) const { return i == 0 ? x : i == 1 ? y
+                                                         : z; }
 };
 template <typename T>
 Vector<T> operator+(Vector<T> a, Vector<T> b) {

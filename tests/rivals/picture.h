@@ -33,7 +33,7 @@ struct Picture {
   std::vector<Shape> shapes;
   std::vector<uint16_t> object; /* of each primitive */
   std::vector<uint16_t>
-      exact; /* primitive of each pixel by the ray engine, whose exactness `fixcast compare` and torture hold */
+      exact;                  /* primitive of each pixel by the ray engine, whose exactness `fixcast compare` and torture hold */
   std::vector<uint16_t> ours; /* by the scan engine */
   bool has(Shape::Kind kind) const {
     for (const Shape &s : shapes)

@@ -69,7 +69,7 @@ void run(const Truth &truth, const char *numbers, std::vector<Row> *rows) {
   if (p.has(Shape::triangle)) {
     add_rays("triangle by Cramer", closest_hit<T>(p, rays, SphereBy::geometry, TriangleBy::cramer));
     add_rays("triangle by plane and barycentrics",
-        closest_hit<T>(p, rays, SphereBy::geometry, TriangleBy::plane_barycentric));
+             closest_hit<T>(p, rays, SphereBy::geometry, TriangleBy::plane_barycentric));
     add_rays("triangle by edges", closest_hit<T>(p, rays, SphereBy::geometry, TriangleBy::edges));
   }
   if (p.has(Shape::triangle) && !p.has(Shape::plane)) {

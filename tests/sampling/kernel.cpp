@@ -32,7 +32,8 @@ long double b_spline(long double x) {
 
 long double catmull_rom(long double x) {
   x = std::fabs(x);
-  return x < 1 ? (1.5L * x - 2.5L) * x * x + 1 : x < 2 ? ((-0.5L * x + 2.5L) * x - 4) * x + 2 : 0;
+  return x < 1 ? (1.5L * x - 2.5L) * x * x + 1 : x < 2 ? ((-0.5L * x + 2.5L) * x - 4) * x + 2
+                                                       : 0;
 }
 
 long double gauss(long double x) { return std::fabs(x) > 2 ? 0 : std::exp(-2 * x * x); }

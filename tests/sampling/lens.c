@@ -119,7 +119,9 @@ static void test_fisheye_angles_are_proportional_to_the_distance_from_the_centre
     if (off > worst) worst = off;
     TEST_ASSERT_TRUE(off < 0x1p-28L);
     TEST_ASSERT_TRUE(fabsl(sqrtl((long double)direction[0] * direction[0] + (long double)direction[1] * direction[1] +
-                                 (long double)direction[2] * direction[2]) / 0x1p29L - 1) < 0x1p-28L);
+                                 (long double)direction[2] * direction[2]) /
+                               0x1p29L -
+                           1) < 0x1p-28L);
   }
   TEST_ASSERT_TRUE(seen > 100000 && beyond > 100000);
   TEST_ASSERT_TRUE(worst > 0x1p-31L); /* it is compared with something */
@@ -142,7 +144,9 @@ static void test_panorama_places_are_longitude_and_latitude(void) {
     expected[2] = cosl(longitude) * cosl(latitude);
     TEST_ASSERT_TRUE(angle_between(direction, expected) < 0x1p-28L);
     TEST_ASSERT_TRUE(fabsl(sqrtl((long double)direction[0] * direction[0] + (long double)direction[1] * direction[1] +
-                                 (long double)direction[2] * direction[2]) / 0x1p29L - 1) < 0x1p-28L);
+                                 (long double)direction[2] * direction[2]) /
+                               0x1p29L -
+                           1) < 0x1p-28L);
   }
 }
 
@@ -249,7 +253,9 @@ static void test_lens_data_out_of_range_are_refused(void) {
 
 /* ---- what a lens shows of a scene that is known in closed form: one sphere ---- */
 
-enum { SIDE = 41 };
+enum {
+  SIDE = 41
+};
 static const fc_sphere ball[] FC_ROM = {{FC_VEC3(1, 2, -3), FC_Q16(1.5), 0, 5}};
 static const fc_shapes ball_shapes[] FC_ROM = {FC_SPHERES(ball)};
 

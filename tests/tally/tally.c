@@ -14,11 +14,15 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { SIZE = 64, LARGE = 240, WORDS = 20000 };
+enum {
+  SIZE = 64,
+  LARGE = 240,
+  WORDS = 20000
+};
 
-static const char *const names[FC_DECISIONS] = {"edge",   "nearer", "far or end of t", "depth code",
-                                                "facing", "side",   "pierce",          "pass a sphere",
-                                                "pixel",  "lit"};
+static const char *const names[FC_DECISIONS] = {"edge", "nearer", "far or end of t", "depth code",
+                                                "facing", "side", "pierce", "pass a sphere",
+                                                "pixel", "lit"};
 static unsigned long total[FC_DECISIONS], exact_forms[FC_DECISIONS];
 static int64_t memory[WORDS];
 static uint8_t pixels[LARGE * LARGE * 2];
@@ -126,7 +130,7 @@ static void shine_from(int32_t x, int32_t y, int32_t z) {
 
 /* A wall at z = -8, cut along the diagonal that the pixels with x = y look at. */
 static const fc_vec3 wall_vertices[] = {FC_VEC3(-8, -8, -8), FC_VEC3(8, -8, -8), FC_VEC3(8, 8, -8),
-                                        FC_VEC3(-8, 8, -8),  FC_VEC3(-2, -2, -5), FC_VEC3(2, 2, -5),
+                                        FC_VEC3(-8, 8, -8), FC_VEC3(-2, -2, -5), FC_VEC3(2, 2, -5),
                                         FC_VEC3(2, -2, -5)};
 static const fc_triangle wall[] = {{{0, 1, 2}, 0, 1}, {{0, 2, 3}, 0, 1}};
 static const fc_triangle wall_twice[] = {{{0, 1, 2}, 0, 1}, {{0, 2, 3}, 0, 1}, {{0, 1, 2}, 0, 2}, {{0, 2, 3}, 0, 2}};
@@ -172,8 +176,10 @@ static void test_forces_far(void) {
 /* near / z = 34181 / 65536, half way between two codes of the format with 14 mantissa bits: near is 34193 less the 12 that
  * fc_depth_choose leaves free. */
 static void test_forces_depth(void) {
+  /* clang-format off */
   static const fc_vec3 vertices[] = {{-65536, -65536, -34193}, {-65536, -65535, -34193}, {-65535, -65536, -34193},
                                      {-99999, -99999, -65536}, {99999, -99999, -65536},  {0, 199999, -65536}};
+  /* clang-format on */
   static const fc_triangle triangles[] = {{{0, 1, 2}, 0, 1}, {{3, 4, 5}, 0, 2}};
   start();
   add((fc_shapes)FC_TRIANGLES(vertices, triangles));

@@ -329,7 +329,8 @@ Q normal_component(const Shape &s, Vec direction, const Point &point, int i) {
 
 Q weight(const Shape &s, Vec origin, Vec direction, int i) {
   Numerators n = moller_trumbore(s, origin, direction);
-  Z over = i == 1 ? n.u : i == 2 ? n.v : Z(n.det - n.u - n.v);
+  Z over = i == 1 ? n.u : i == 2 ? n.v
+                                 : Z(n.det - n.u - n.v);
   Q r(over, n.det);
   r.canonicalize();
   return r;

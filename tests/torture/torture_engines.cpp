@@ -393,7 +393,8 @@ std::string World::text() const {
   all += "\n  ambient " + text_of(scene.ambient) + " background " + text_of(scene.background) + " diffuse " +
          text_of(materials_[0].diffuse) + " " + text_of(materials_[1].diffuse);
   if (materials_[1].layer_count != 0 && layer_.kind != &fc_layer_phong)
-    all += layer_.kind == &fc_layer_smooth ? ", smooth" : layer_.kind == &fc_layer_mirror ? ", mirror" : ", image";
+    all += layer_.kind == &fc_layer_smooth ? ", smooth" : layer_.kind == &fc_layer_mirror ? ", mirror"
+                                                                                          : ", image";
   if (materials_[1].layer_count != 0 && layer_.kind == &fc_layer_phong)
     all += ", Phong " + text_of(phong_.specular) + print(" ^ %lu/256", static_cast<unsigned long>(phong_.shininess_q8));
   for (const fc_light &l : lights_)
@@ -465,8 +466,8 @@ void render(Render engine, const fc_frame &frame, int format, const std::vector<
   to->lit.assign(pixels, 0x55555555);
   for (size_t i = 0; i + 1 < strips.size(); i += 2) {
     const size_t first = static_cast<size_t>(strips[i]) * frame.width;
-    fc_target target = {&to->pixels[first * bytes], frame.width * bytes,  static_cast<uint8_t>(format),
-                        &to->depth[first],          with_primitive ? &to->primitive[first] : nullptr, with_lit ? &to->lit[first] : nullptr};
+    fc_target target = {&to->pixels[first * bytes], frame.width * bytes, static_cast<uint8_t>(format),
+                        &to->depth[first], with_primitive ? &to->primitive[first] : nullptr, with_lit ? &to->lit[first] : nullptr};
     const int status = engine(&frame, strips[i], strips[i + 1], &target);
     if (status != FC_OK) fail("rows %u and %u more: %s", strips[i], strips[i + 1], fc_error_text(status));
   }

@@ -22,8 +22,7 @@ void add_face(Mesh *mesh, int a, int b, int c) {
 
 /* The two poles at the ends of an axis and a ring of 3 to 12 between them. */
 void bipyramid(Random &random, Mesh *mesh, int64_t size) {
-  static const int8_t circle[12][2] = {{10, 0},  {9, 5},   {5, 9},   {0, 10},  {-5, 9}, {-9, 5},
-                                       {-10, 0}, {-9, -5}, {-5, -9}, {0, -10}, {5, -9}, {9, -5}};
+  static const int8_t circle[12][2] = {{10, 0}, {9, 5}, {5, 9}, {0, 10}, {-5, 9}, {-9, 5}, {-10, 0}, {-9, -5}, {-5, -9}, {0, -10}, {5, -9}, {9, -5}};
   int ring = static_cast<int>(random.within(3, 12)), turn = static_cast<int>(random.within(0, 2));
   mesh->vertices = ring + 2;
   for (int i = 0; i < ring; i++) {
@@ -45,8 +44,7 @@ void bipyramid(Random &random, Mesh *mesh, int64_t size) {
 
 /* A box of twelve triangles, diagonals at will; sheared, which keeps it convex. */
 void box(Random &random, Mesh *mesh, int64_t size) {
-  static const uint8_t side[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
-                                     {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+  static const uint8_t side[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
   Vec e[3];
   do {
     for (Vec &v : e) v = {random.within(-size, size), random.within(-size, size), random.within(-size, size)};

@@ -64,8 +64,7 @@ Vec step_off(const Scene &scene, const fc_hit &hit) {
 /* ---- 28 ---- */
 
 std::vector<Shape> box(Random &random, Vec center, int64_t size) {
-  static const uint8_t side[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
-                                     {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+  static const uint8_t side[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
   Vec e[3], v[8];
   do {
     for (Vec &c : e) c = {random.within(-size, size), random.within(-size, size), random.within(-size, size)};
@@ -93,13 +92,17 @@ int64_t integer_root(int64_t v) {
 
 /* An icosahedron with whole vertices, or its faces cut in four and pushed out to the sphere. */
 std::vector<Shape> icosphere(Random &random, Vec center, int64_t size) {
+  /* clang-format off */
   static const uint8_t faces[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
                                        {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
                                        {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
                                        {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+  /* clang-format on */
   int64_t a = size, b = size * 1618 / 1000;
+  /* clang-format off */
   const Vec v[12] = {{-a, b, 0},  {a, b, 0},  {-a, -b, 0}, {a, -b, 0}, {0, -a, b},  {0, a, b},
                      {0, -a, -b}, {0, a, -b}, {b, 0, -a},  {b, 0, a},  {-b, 0, -a}, {-b, 0, a}};
+  /* clang-format on */
   int64_t radius = integer_root(a * a + b * b);
   bool fine = size > 1000 && random.within(0, 7) == 0;
   std::vector<Shape> shapes;

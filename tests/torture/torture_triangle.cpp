@@ -94,8 +94,7 @@ struct Fan {
 };
 
 Fan fan(Random &random) {
-  static const int8_t circle[12][2] = {{10, 0},  {9, 5},   {5, 9},   {0, 10},  {-5, 9}, {-9, 5},
-                                       {-10, 0}, {-9, -5}, {-5, -9}, {0, -10}, {5, -9}, {9, -5}};
+  static const int8_t circle[12][2] = {{10, 0}, {9, 5}, {5, 9}, {0, 10}, {-5, 9}, {-9, 5}, {-10, 0}, {-9, -5}, {-5, -9}, {0, -10}, {5, -9}, {9, -5}};
   for (;;) {
     Fan f;
     f.ray = aim(random);
@@ -447,8 +446,8 @@ uint64_t across_the_eye_plane(Random &random) {
   for (;;) {
     const uint16_t width = 6, height = 4;
     ExactCamera camera = {
-        random.vec(20), static_cast<int>(random.within(0, 2)),      random.flip() ? 1 : -1, 0, width,
-        height,         static_cast<uint32_t>(random.within(1, 20))};
+        random.vec(20), static_cast<int>(random.within(0, 2)), random.flip() ? 1 : -1, 0, width,
+        height, static_cast<uint32_t>(random.within(1, 20))};
     camera.up_axis = (camera.axis + (random.flip() ? 1 : 2)) % 3;
     int bits = static_cast<int>(random.within(3, 27));
     std::vector<Shape> shapes;

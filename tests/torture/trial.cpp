@@ -287,8 +287,8 @@ void Frame::render(uint16_t rows) {
   for (uint32_t y = 0; y < frame.height; y += rows) {
     size_t first = static_cast<size_t>(y) * frame.width;
     uint16_t count = static_cast<uint16_t>(frame.height - y < rows ? frame.height - y : rows);
-    fc_target target = {&colours[3 * first], 3u * frame.width,  FC_RGB888,
-                        &depth[first],       &primitive[first], &lit[first]};
+    fc_target target = {&colours[3 * first], 3u * frame.width, FC_RGB888,
+                        &depth[first], &primitive[first], &lit[first]};
     int status = fc_render_rows(&frame, static_cast<uint16_t>(y), count, &target);
     if (status != FC_OK) fail("fc_render_rows: %s%s", fc_error_text(status), text().c_str());
   }

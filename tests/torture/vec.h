@@ -7,8 +7,10 @@
 
 struct Vec {
   int64_t x, y, z;
-  int64_t &operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
-  int64_t operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+  int64_t &operator[](int i) { return i == 0 ? x : i == 1 ? y
+                                                          : z; }
+  int64_t operator[](int i) const { return i == 0 ? x : i == 1 ? y
+                                                               : z; }
 };
 
 inline Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }

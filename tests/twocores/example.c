@@ -15,7 +15,11 @@ static void bus_send(unsigned strip, unsigned core, const void *bytes, size_t co
 /* README: begin */
 #include "fixcast/fixcast.h"
 
-enum { WIDTH = 128, HEIGHT = 128, ROWS = 16 };
+enum {
+  WIDTH = 128,
+  HEIGHT = 128,
+  ROWS = 16
+};
 
 /* Core 0 runs this with 0, core 1 with 1. The frame was set up before and is only read. */
 int draw_strips(const fc_frame *frame, unsigned core) {
@@ -38,9 +42,9 @@ int draw_strips(const fc_frame *frame, unsigned core) {
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t changed = PTHREAD_COND_INITIALIZER;
 static struct {
-  unsigned next;  /* strip that goes out next */
-  bool busy[2];   /* a core's buffer waits for DMA, or is being read */
-  unsigned core;  /* whose */
+  unsigned next;     /* strip that goes out next */
+  bool busy[2];      /* a core's buffer waits for DMA, or is being read */
+  unsigned core;     /* whose */
   const void *bytes; /* NULL: nothing to send */
   size_t count;
 } bus;

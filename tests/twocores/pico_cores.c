@@ -83,9 +83,11 @@ static void rom(uint32_t kept[3]) {
   unsigned state = 0, garble[3] = {2, 5, 3};
   while (state < 6) {
     const uint32_t word = fcp_core_take();
-    const int fits = state < 2 ? word == 0 : state == 2 ? word == 1 : 1;
+    const int fits = state < 2 ? word == 0 : state == 2 ? word == 1
+                                                        : 1;
     if (state >= 3) kept[state - 3] = word;
-    state = fits ? state + 1 : word == 0 ? 1 : 0;
+    state = fits ? state + 1 : word == 0 ? 1
+                                         : 0;
     if (restarts < 3 && state == garble[restarts]) {
       restarts++;
       state = 0;
@@ -137,8 +139,10 @@ static int draw(render *how, const fc_frame *frame, unsigned rows, int masks, pi
   memset(to, 0x5a, sizeof *to);
   for (y = 0; y < HEIGHT; y += rows) {
     const unsigned left = HEIGHT - y, at = y * WIDTH;
+    /* clang-format off */
     const fc_target target = {.pixels = to->pixels + at, .pitch_bytes = WIDTH * 2, .format = FC_RGB565_BE, .depth = to->depth + at,
                               .primitive = masks ? to->primitive + at : NULL, .lit = masks ? to->lit + at : NULL};
+    /* clang-format on */
     const int error = how(NULL, frame, (uint16_t)y, (uint16_t)(left < rows ? left : rows), &target);
     if (error != FC_OK) return error;
   }

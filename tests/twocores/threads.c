@@ -13,7 +13,12 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { WIDTH = 70, HEIGHT = 53, PIXELS = WIDTH * HEIGHT, WORDS = 20000 };
+enum {
+  WIDTH = 70,
+  HEIGHT = 53,
+  PIXELS = WIDTH * HEIGHT,
+  WORDS = 20000
+};
 
 typedef struct picture {
   uint8_t pixels[PIXELS * 3];

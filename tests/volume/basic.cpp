@@ -98,7 +98,8 @@ Q plane_value(const fc_plane &p, Vec at) {
   mpz_class shift = mpz_class(1) << static_cast<unsigned>(p.d_exponent);
   return exact::dot(exact::point(from_core(p.normal)), exact::point(at)) + exact::whole(p.d) * Q(shift);
 }
-int side(int sign) { return sign == 0 ? FC_SIDE_ON : sign > 0 ? FC_SIDE_FRONT : FC_SIDE_BACK; }
+int side(int sign) { return sign == 0 ? FC_SIDE_ON : sign > 0 ? FC_SIDE_FRONT
+                                                              : FC_SIDE_BACK; }
 
 /* A plane through, or a few units beside, a point. */
 fc_plane plane_near(Random &random, Vec p, int bits) {
@@ -157,8 +158,7 @@ void sphere_against_plane(Random &random) {
   int64_t radius = std::llabs(random.any_size(bits)) + 1;
   fc_plane plane = plane_near(random, c, bits);
   if (random.flip()) {
-    static const int64_t triples[][4] = {{1, 0, 0, 1},   {1, 2, 2, 3},  {2, 3, 6, 7},    {1, 4, 8, 9},
-                                         {-2, 6, 9, 11}, {0, 3, -4, 5}, {2, -10, 11, 15}};
+    static const int64_t triples[][4] = {{1, 0, 0, 1}, {1, 2, 2, 3}, {2, 3, 6, 7}, {1, 4, 8, 9}, {-2, 6, 9, 11}, {0, 3, -4, 5}, {2, -10, 11, 15}};
     const int64_t *t = triples[random.within(0, 6)];
     Vec n = {t[0], t[1], t[2]};
     int64_t d = -dot(n, c) + (random.flip() ? 1 : -1) * radius * t[3] + random.within(-1, 1);
@@ -193,7 +193,8 @@ void box_against_plane(Random &random) {
     front += s > 0;
     back += s < 0;
   }
-  int expected = front == 8 ? FC_SIDE_FRONT : back == 8 ? FC_SIDE_BACK : FC_SIDE_ON;
+  int expected = front == 8 ? FC_SIDE_FRONT : back == 8 ? FC_SIDE_BACK
+                                                        : FC_SIDE_ON;
   saw(expected == FC_SIDE_ON);
   if (got != expected)
     wrong("%s, %s: %d is right (%d)", box.text().c_str(), plane_text(plane).c_str(), expected, got);
@@ -205,8 +206,7 @@ void sphere_against_sphere(Random &random) {
   int64_t r = std::llabs(random.any_size(bits)) + 1, s = std::llabs(random.any_size(bits)) + 1;
   if (random.flip()) { /* touching, or one unit off: whole distances */
     Vec row[3];
-    static const int64_t triples[][4] = {{1, 0, 0, 1}, {1, 2, 2, 3},   {2, 3, 6, 7},
-                                         {1, 4, 8, 9}, {-2, 6, 9, 11}, {2, -10, 11, 15}};
+    static const int64_t triples[][4] = {{1, 0, 0, 1}, {1, 2, 2, 3}, {2, 3, 6, 7}, {1, 4, 8, 9}, {-2, 6, 9, 11}, {2, -10, 11, 15}};
     const int64_t *t = triples[random.within(0, 5)];
     int64_t k = random.within(1, (INT64_C(1) << bits) / 4 + 1), length = k * t[3];
     row[0] = {k * t[0], k * t[1], k * t[2]};

@@ -52,9 +52,11 @@ void check_ray(Vec o, Vec d, const std::vector<fc_slab> &slabs) {
 
 /* 3 to 13 normals as k-DOPs have them, of a set of points. */
 std::vector<fc_slab> kdop_of(Random &random, const std::vector<fc_vec3> &points) {
+  /* clang-format off */
   static const int8_t normals[13][3] = {{1, 0, 0},  {0, 1, 0},   {0, 0, 1}, {1, 1, 1},  {1, -1, 1},
                                         {1, 1, -1}, {1, -1, -1}, {1, 1, 0}, {1, -1, 0}, {1, 0, 1},
                                         {1, 0, -1}, {0, 1, 1},   {0, 1, -1}};
+  /* clang-format on */
   std::vector<fc_slab> slabs(static_cast<size_t>(random.within(3, 13)));
   for (size_t i = 0; i < slabs.size(); i++) slabs[i] = {{normals[i][0], normals[i][1], normals[i][2]}, 0, 0};
   if (fc_slabs_fit(slabs.data(), static_cast<uint8_t>(slabs.size()), points.data(),

@@ -37,8 +37,7 @@ void against_planes(Random &random) {
   int64_t r = std::llabs(random.any_size(bits > 3 ? bits - 2 : bits)) + 1, d = random.any_size(30);
   int8_t exponent = static_cast<int8_t>(random.within(0, 32));
   if (random.flip()) { /* ends with the sphere touching exactly, or one off */
-    static const int64_t triples[][4] = {{1, 0, 0, 1}, {1, 2, 2, 3},   {2, 3, 6, 7},
-                                         {1, 4, 8, 9}, {-2, 6, 9, 11}, {0, 3, -4, 5}};
+    static const int64_t triples[][4] = {{1, 0, 0, 1}, {1, 2, 2, 3}, {2, 3, 6, 7}, {1, 4, 8, 9}, {-2, 6, 9, 11}, {0, 3, -4, 5}};
     const int64_t *t = triples[random.within(0, 5)];
     n = {t[0], t[1], t[2]};
     d = -dot(n, random.flip() ? b : a) + (random.flip() ? r : -r) * t[3] + random.within(-1, 1);
@@ -131,7 +130,7 @@ void against_triangles(Random &random) {
     case 2: v[2] = v[0] + (v[0] - v[1]) * random.within(-2, 2); break; /* in line */
     case 3: b = a; break;                                              /* at rest */
     case 4: a.z = b.z = v[0].z = v[1].z = v[2].z; break;               /* along the plane */
-    case 5: { /* over the face by exactly r, in a plane of the axes */
+    case 5: {                                                          /* over the face by exactly r, in a plane of the axes */
       v[0].z = v[1].z = v[2].z;
       a.z = b.z = v[0].z + r + random.within(-1, 1);
       break;

@@ -26,13 +26,13 @@ typedef struct search {
   const char *offset_text; /* what follows the last colon of the name, or NULL */
   size_t label_length;
   unsigned long offset;
-  unsigned by_name, by_label; /* how often found */
-  unsigned label_lines;       /* of the chip with that label */
-  char path[PATH_TEXT];       /* the first found */
+  unsigned by_name, by_label;  /* how often found */
+  unsigned label_lines;        /* of the chip with that label */
+  char path[PATH_TEXT];        /* the first found */
   char chips[2][FC_GPIO_TEXT]; /* labels, to tell a name that is not unique */
   unsigned found_offset;
-  char known[KNOWN_TEXT];     /* names that exist, or chips where lines have none */
-  char denied[PATH_TEXT];     /* a chip that may not be opened */
+  char known[KNOWN_TEXT]; /* names that exist, or chips where lines have none */
+  char denied[PATH_TEXT]; /* a chip that may not be opened */
 } search;
 
 static void search_start(search *s, const char *name) {

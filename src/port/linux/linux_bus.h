@@ -56,10 +56,10 @@ fc_bus fc_linux_bus_ops(fc_linux_bus *bus);
 const fc_linux_error *fc_linux_bus_error(const fc_linux_bus *bus);
 
 typedef struct fc_linux_bus_figures {
-  uint32_t clock_hz;       /* as the kernel gives it back; 0 before configure() */
-  size_t chunk_bytes;      /* largest transfer, by spidev's parameter bufsiz */
-  uint64_t sent_bytes;     /* since the bus was opened */
-  uint64_t sending_ns;     /* time spent in transfers */
+  uint32_t clock_hz;   /* as the kernel gives it back; 0 before configure() */
+  size_t chunk_bytes;  /* largest transfer, by spidev's parameter bufsiz */
+  uint64_t sent_bytes; /* since the bus was opened */
+  uint64_t sending_ns; /* time spent in transfers */
 } fc_linux_bus_figures;
 
 /* Only while nothing is under way. */

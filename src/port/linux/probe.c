@@ -10,7 +10,9 @@
 #include "gpio.h"
 #include "linux_probe.h"
 
-enum { NAME_TEXT = 64 };
+enum {
+  NAME_TEXT = 64
+};
 
 typedef struct walk {
   const fc_linux_probe_calls *calls;

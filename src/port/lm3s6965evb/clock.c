@@ -43,7 +43,8 @@ static uint32_t now(uint32_t *cycles) {
   do {
     before = ticks;
     left = SYST_CVR;
-    __asm__ volatile("isb" ::: "memory"); /* a tick that has come is counted before it is looked at */
+    __asm__ volatile("isb" ::
+                         : "memory"); /* a tick that has come is counted before it is looked at */
   } while (before != ticks);
   *cycles = TICK_CYCLES - 1 - left;
   return before;

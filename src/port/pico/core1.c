@@ -4,13 +4,16 @@
 #include "launch.h"
 #include "rp2040.h"
 
-enum { STACK_WORDS = 1024 };
+enum {
+  STACK_WORDS = 1024
+};
 
 static uint32_t stack[STACK_WORDS] __attribute__((aligned(8)));
 
 void fcp_core_give(uint32_t word) {
   while ((RP_REG(SIO_FIFO_ST) & SIO_FIFO_ST_RDY) == 0) continue;
-  __asm__ volatile("dmb" ::: "memory");
+  __asm__ volatile("dmb" ::
+                       : "memory");
   RP_REG(SIO_FIFO_WR) = word;
   __asm__ volatile("sev");
 }
@@ -19,7 +22,8 @@ uint32_t fcp_core_take(void) {
   uint32_t word;
   while ((RP_REG(SIO_FIFO_ST) & SIO_FIFO_ST_VLD) == 0) __asm__ volatile("wfe");
   word = RP_REG(SIO_FIFO_RD);
-  __asm__ volatile("dmb" ::: "memory");
+  __asm__ volatile("dmb" ::
+                       : "memory");
   return word;
 }
 

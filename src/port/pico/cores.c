@@ -12,7 +12,7 @@ typedef struct half {
 } half;
 
 static fc_scratch scratch[2]; /* a core's each: their stacks have 4 KB */
-static half lower; /* core 0 writes it before the word that starts core 1, core 1 before the word that answers */
+static half lower;            /* core 0 writes it before the word that starts core 1, core 1 before the word that answers */
 
 void fcp_cores_serve(void) {
   for (;;) {

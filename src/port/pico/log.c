@@ -4,7 +4,9 @@
 #include "rp2040.h"
 
 /* The divider in 1/64, rounded (4.2.7.1): clk_peri / (16 * baud). */
-enum { DIVIDER_64 = (FCP_SYSTEM_HZ * 4 + FCP_LOG_BAUD / 2) / FCP_LOG_BAUD };
+enum {
+  DIVIDER_64 = (FCP_SYSTEM_HZ * 4 + FCP_LOG_BAUD / 2) / FCP_LOG_BAUD
+};
 
 void fcp_log_start(void) {
   fcp_reset_peripherals(RESETS_UART0);

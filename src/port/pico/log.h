@@ -2,7 +2,9 @@
 #ifndef FIXCAST_PORT_PICO_LOG_H
 #define FIXCAST_PORT_PICO_LOG_H
 
-enum { FCP_LOG_BAUD = 115200 };
+enum {
+  FCP_LOG_BAUD = 115200
+};
 
 /* After fcp_clocks_start() and fcp_pins_start(). */
 void fcp_log_start(void);

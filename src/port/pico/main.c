@@ -17,10 +17,18 @@
 #include "time.h"
 
 #ifdef PICO_ST7789_135
-enum { WIDTH = 135, STRIP_ROWS = 16, BUFFERS = 3 };
+enum {
+  WIDTH = 135,
+  STRIP_ROWS = 16,
+  BUFFERS = 3
+};
 #define PANEL fc_panel_st7789_135
 #else
-enum { WIDTH = 240, STRIP_ROWS = 8, BUFFERS = 3 };
+enum {
+  WIDTH = 240,
+  STRIP_ROWS = 8,
+  BUFFERS = 3
+};
 #define PANEL fc_panel_st7789_240
 #endif
 
@@ -28,7 +36,9 @@ enum { WIDTH = 240, STRIP_ROWS = 8, BUFFERS = 3 };
 #define PICO_PIXEL_HZ 0
 #endif
 
-enum { MEMORY_BYTES = FC_FIRMWARE_MEMORY(WIDTH, STRIP_ROWS) + (BUFFERS - 2) * FC_FIRMWARE_MEMORY_BUFFER(WIDTH, STRIP_ROWS) };
+enum {
+  MEMORY_BYTES = FC_FIRMWARE_MEMORY(WIDTH, STRIP_ROWS) + (BUFFERS - 2) * FC_FIRMWARE_MEMORY_BUFFER(WIDTH, STRIP_ROWS)
+};
 static int64_t memory[(MEMORY_BYTES + 7) / 8];
 
 static uint8_t buttons(void *context) {

@@ -14,12 +14,12 @@ enum {
 };
 
 static struct {
-  uint32_t mode;              /* SPO and SPH bits of CR0 */
-  uint32_t prescale, rate;    /* CPSDVSR, 1 + SCR */
-  uint32_t word_bits;         /* what the PL022 is set to; 0: not as the three above say */
-  volatile bool busy;         /* set by data_start, cleared by the interrupt */
-  volatile uint32_t ended;    /* transfers by DMA so far */
-  volatile int error;         /* of the last transfer by DMA */
+  uint32_t mode;           /* SPO and SPH bits of CR0 */
+  uint32_t prescale, rate; /* CPSDVSR, 1 + SCR */
+  uint32_t word_bits;      /* what the PL022 is set to; 0: not as the three above say */
+  volatile bool busy;      /* set by data_start, cleared by the interrupt */
+  volatile uint32_t ended; /* transfers by DMA so far */
+  volatile int error;      /* of the last transfer by DMA */
   uint64_t deadline_us;
   fc_ready *ready;
   void *ready_context;

@@ -8,7 +8,9 @@ extern uint32_t fcp_data_image[], fcp_data_start[], fcp_data_end[], fcp_bss_star
 extern uint32_t fcp_stack_start[], fcp_stack_top[];
 int main(void);
 
-enum { STACK_MARK = 0x5ac35ac3 };
+enum {
+  STACK_MARK = 0x5ac35ac3
+};
 
 void fcp_reset(void) {
   const uint32_t *from = fcp_data_image;

@@ -2,7 +2,9 @@
 
 #include "rp2040.h"
 
-enum { PERIOD_BITS = 24 }; /* SysTick counts down through 2^24 values */
+enum {
+  PERIOD_BITS = 24
+}; /* SysTick counts down through 2^24 values */
 
 static volatile uint32_t periods; /* finished ones, times 2^24 */
 

@@ -14,9 +14,9 @@ static uint32_t lit[STRIP_ROWS * WIDTH];
 void bench_put(const char *text) { (void)fputs(text, stderr); }
 
 static int write_pixel(FILE *file, size_t i) {
-  const uint8_t bytes[9] = {(uint8_t)object[i],     (uint8_t)(object[i] >> 8), (uint8_t)lit[i],
-                            (uint8_t)(lit[i] >> 8), (uint8_t)(lit[i] >> 16),   (uint8_t)(lit[i] >> 24),
-                            pixels[3 * i],          pixels[3 * i + 1],         pixels[3 * i + 2]};
+  const uint8_t bytes[9] = {(uint8_t)object[i], (uint8_t)(object[i] >> 8), (uint8_t)lit[i],
+                            (uint8_t)(lit[i] >> 8), (uint8_t)(lit[i] >> 16), (uint8_t)(lit[i] >> 24),
+                            pixels[3 * i], pixels[3 * i + 1], pixels[3 * i + 2]};
   return fwrite(bytes, sizeof bytes, 1, file) != 1;
 }
 

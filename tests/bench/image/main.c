@@ -17,7 +17,8 @@
 /* The emulators watch for these addresses. The bodies differ so that the compiler does not make one of three. */
 #define MARK(name) \
   void name(void); \
-  __attribute__((noinline)) void name(void) { __asm__ volatile("/* " #name " */" ::: "memory"); }
+  __attribute__((noinline)) void name(void) { __asm__ volatile("/* " #name " */" :: \
+                                                                   : "memory"); }
 MARK(bench_mark_other)
 MARK(bench_mark_setup)
 MARK(bench_mark_strips)
@@ -74,9 +75,11 @@ enum {
 static uint8_t *stack_pointer(void) {
   uint8_t *sp;
 #if defined(__arm__)
-  __asm__ volatile("mov %0, sp" : "=r"(sp));
+  __asm__ volatile("mov %0, sp"
+                   : "=r"(sp));
 #else
-  __asm__ volatile("mv %0, sp" : "=r"(sp));
+  __asm__ volatile("mv %0, sp"
+                   : "=r"(sp));
 #endif
   return sp;
 }

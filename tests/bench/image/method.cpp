@@ -18,7 +18,8 @@ extern const fc_camera CAMERA;
 
 #define MARK(name) \
   void name(void); \
-  __attribute__((noinline)) void name(void) { __asm__ volatile("/* " #name " */" ::: "memory"); }
+  __attribute__((noinline)) void name(void) { __asm__ volatile("/* " #name " */" :: \
+                                                                   : "memory"); }
 MARK(bench_mark_other)
 MARK(bench_mark_setup)
 MARK(bench_mark_strips)
@@ -60,10 +61,22 @@ void operator delete(void *memory, size_t) noexcept { std::free(memory); }
 void operator delete(void *memory, const std::nothrow_t &) noexcept { std::free(memory); }
 namespace std {
 const nothrow_t nothrow{};
-void __throw_length_error(const char *) { semihost_exit(6); __builtin_unreachable(); }
-void __throw_bad_alloc() { semihost_exit(6); __builtin_unreachable(); }
-void __throw_bad_array_new_length() { semihost_exit(6); __builtin_unreachable(); }
-void __throw_bad_function_call() { semihost_exit(6); __builtin_unreachable(); }
+void __throw_length_error(const char *) {
+  semihost_exit(6);
+  __builtin_unreachable();
+}
+void __throw_bad_alloc() {
+  semihost_exit(6);
+  __builtin_unreachable();
+}
+void __throw_bad_array_new_length() {
+  semihost_exit(6);
+  __builtin_unreachable();
+}
+void __throw_bad_function_call() {
+  semihost_exit(6);
+  __builtin_unreachable();
+}
 } // namespace std
 
 namespace {

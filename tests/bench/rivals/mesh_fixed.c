@@ -57,13 +57,16 @@ int renderer_setup(void) {
   return 0;
 }
 
-static int32_t least(int32_t a, int32_t b, int32_t c) { return a < b ? (a < c ? a : c) : b < c ? b : c; }
-static int32_t most(int32_t a, int32_t b, int32_t c) { return a > b ? (a > c ? a : c) : b > c ? b : c; }
+static int32_t least(int32_t a, int32_t b, int32_t c) { return a < b ? (a < c ? a : c) : b < c ? b
+                                                                                               : c; }
+static int32_t most(int32_t a, int32_t b, int32_t c) { return a > b ? (a > c ? a : c) : b > c ? b
+                                                                                              : c; }
 
 /* The first pixel whose centre is at or beyond `v`, within 0..end. */
 static int first_centre(int32_t v, int end) {
   const int32_t at = (v + SUBPIXELS / 2 - 1) >> 4;
-  return at < 0 ? 0 : at > end ? end : (int)at;
+  return at < 0 ? 0 : at > end ? end
+                               : (int)at;
 }
 
 /* An edge's function at pixel centres, less 1 on edges that are not a triangle's left or top one: inside is >= 0. */
@@ -83,7 +86,8 @@ static edge edge_of(const corner *a, const corner *b, int32_t x, int32_t y) {
 /* (p u + q v) / area, within 32 bits. */
 static int32_t slope(int32_t p, int32_t u, int32_t q, int32_t v, int32_t area) {
   const int64_t s = ((int64_t)p * u + (int64_t)q * v) * SUBPIXELS / area;
-  return s > INT32_MAX ? INT32_MAX : s < -INT32_MAX ? -INT32_MAX : (int32_t)s;
+  return s > INT32_MAX ? INT32_MAX : s < -INT32_MAX ? -INT32_MAX
+                                                    : (int32_t)s;
 }
 
 static void draw(const face *f, int top, int rows, const strip *to) {

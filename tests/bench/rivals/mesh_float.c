@@ -48,8 +48,10 @@ int renderer_setup(void) {
   return 0;
 }
 
-static real least(real a, real b, real c) { return a < b ? (a < c ? a : c) : b < c ? b : c; }
-static real most(real a, real b, real c) { return a > b ? (a > c ? a : c) : b > c ? b : c; }
+static real least(real a, real b, real c) { return a < b ? (a < c ? a : c) : b < c ? b
+                                                                                   : c; }
+static real most(real a, real b, real c) { return a > b ? (a > c ? a : c) : b > c ? b
+                                                                                  : c; }
 
 /* The first pixel whose centre is at or beyond `v`, within 0..end. */
 static int first_centre(real v, int end) {

@@ -20,8 +20,8 @@ enum {
 typedef struct ball {
   vec c;
   real radius, k, inverse_k, inverse_radius;
-  vec from_light; /* its centre seen from the light */
-  real cone; /* |from_light|^2 - radius^2: what of (p - light) lies in the cone that the sphere shadows */
+  vec from_light;            /* its centre seen from the light */
+  real cone;                 /* |from_light|^2 - radius^2: what of (p - light) lies in the cone that the sphere shadows */
   real facing_0, distance_0; /* of its shading, see shade_sphere */
   int first_row, end_row;
   uint16_t first_caster, end_caster; /* in casters[]: spheres that may shadow this one */
