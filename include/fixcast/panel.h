@@ -47,10 +47,9 @@ typedef struct fc_panel {
   const uint8_t *init;    /* commands from reset to display on, without the direction, which is sent after them */
   const uint8_t *off;     /* commands that turn the panel off (display off, sleep in) */
   uint16_t width, height; /* of the glass, pixels */
-                          /* clang-format off */
-  fc_panel_turn turn[2];      /* the right way up, and turned by half a circle. Quarter turns are the camera's (fc_camera's up): then the order in
-  /* clang-format on */
-                                 which rows are drawn and shown is the same */
+  /* The right way up, and turned by half a circle. Quarter turns are the camera's (fc_camera's up): then the order in which rows are drawn and
+   * shown is the same. */
+  fc_panel_turn turn[2];
   uint8_t window;                       /* fc_panel_window */
   uint8_t format;                       /* fc_display_format after `init` */
   uint8_t spi_mode;                     /* 0 or 3 */

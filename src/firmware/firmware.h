@@ -48,16 +48,16 @@ typedef struct fc_firmware_board {
   uint32_t cpu_hz;                        /* at least 1 MHz */
   uint16_t width, height;                 /* of the picture, which is centred; 0: the panel's */
   uint16_t strip_rows;                    /* rows drawn at a time, at least 1; FC_DISPLAY_MONO8: 1, 2, 4 or a multiple of 8 */
-                                          /* clang-format off */
-  uint8_t buffers;        /* strips of pixels: 0 or 2; 3 or 4 where the bus is as queue.h says: then the next strip follows from the interrupt,
-  /* clang-format on */
-                           * and what is drawn slowly is made up for by what was drawn fast */
-  uint8_t alternate;                      /* 1: strips of the upper and of the lower half in turn, so that slow ones (ground) and fast ones (sky) are
-                           * neighbours; a window command a strip. 0: from the top to the bottom */
-  uint16_t frames;                        /* how many to show, then return; 0: no end */
-  uint16_t pattern_ms;                    /* how long the bring-up pattern is shown first, at most 60000 */
-  void *memory;                           /* aligned for int64_t */
-  size_t memory_bytes;                    /* FC_FIRMWARE_MEMORY() */
+  /* Strips of pixels: 0 or 2; 3 or 4 where the bus is as queue.h says: then the next strip follows from the interrupt, and what is drawn
+   * slowly is made up for by what was drawn fast. */
+  uint8_t buffers;
+  /* 1: strips of the upper and of the lower half in turn, so that slow ones (ground) and fast ones (sky) are neighbours; a window command a
+   * strip. 0: from the top to the bottom. */
+  uint8_t alternate;
+  uint16_t frames;     /* how many to show, then return; 0: no end */
+  uint16_t pattern_ms; /* how long the bring-up pattern is shown first, at most 60000 */
+  void *memory;        /* aligned for int64_t */
+  size_t memory_bytes; /* FC_FIRMWARE_MEMORY() */
 } fc_firmware_board;
 
 /* Enough bytes of memory: the frame's own, what strips are drawn in, two strips to send, one of depth codes and, where a strip to send is

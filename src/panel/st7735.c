@@ -6,32 +6,24 @@
  */
 #include "fixcast/panel.h"
 
+/* clang-format off */
 static const uint8_t init[] FC_ROM = {
-    /* clang-format off */
     0x01, 0 | FC_PANEL_DELAY, 24,             /* software reset [10.1.2]: 120 ms until sleep out */
-    /* clang-format on */
-    /* clang-format off */
     0x11, 0 | FC_PANEL_DELAY, 24,             /* sleep out [10.1.11]: 120 ms until the supplies are stable */
-    /* clang-format on */
-    0xB1, 3, 0x01, 0x2C, 0x2D, /* frame rate, normal [10.2.1] */
-    0xB4, 1, 0x07,             /* inversion by columns [10.2.4] */
-    /* clang-format off */
+    0xB1, 3, 0x01, 0x2C, 0x2D,                /* frame rate, normal [10.2.1] */
+    0xB4, 1, 0x07,                            /* inversion by columns [10.2.4] */
     0xC0, 3, 0xA2, 0x02, 0x84,                /* power control 1 [10.2.6]: AVDD 5 V, GVDD 4.6 V */
-    /* clang-format on */
-    /* clang-format off */
     0xC1, 1, 0xC5,                            /* power control 2 [10.2.7]: VGH 14.7 V, VGL -7.35 V */
-    /* clang-format on */
-    /* clang-format off */
     0xC2, 2, 0x0A, 0x00,                      /* power control 3 [10.2.8]: amplifiers, normal mode */
-    /* clang-format on */
-    0xC5, 1, 0x0E,                                                                                            /* VCOM [10.2.11] */
-    0x3A, 1, 0x05,                                                                                            /* COLMOD [10.1.29]: 16 bits a pixel */
-    0x20, 0,                                                                                                  /* inversion off [10.1.14] */
+    0xC5, 1, 0x0E,                            /* VCOM [10.2.11] */
+    0x3A, 1, 0x05,                            /* COLMOD [10.1.29]: 16 bits a pixel */
+    0x20, 0,                                  /* inversion off [10.1.14] */
     0xE0, 16, 0x02, 0x1C, 0x07, 0x12, 0x37, 0x32, 0x29, 0x2D, 0x29, 0x25, 0x2B, 0x39, 0x00, 0x01, 0x03, 0x10, /* gamma + [10.2.17] */
     0xE1, 16, 0x03, 0x1D, 0x07, 0x06, 0x2E, 0x2C, 0x29, 0x2D, 0x2E, 0x2E, 0x37, 0x3F, 0x00, 0x00, 0x02, 0x10, /* gamma - [10.2.18] */
-    0x13, 0,                                                                                                  /* normal display mode on [10.1.13] */
-    0x29, 0,                                                                                                  /* display on [10.1.18] */
+    0x13, 0,                                  /* normal display mode on [10.1.13] */
+    0x29, 0,                                  /* display on [10.1.18] */
     FC_PANEL_END};
+/* clang-format on */
 static const uint8_t off[] FC_ROM = {
     0x28, 0,                      /* display off [10.1.17] */
     0x10, 0 | FC_PANEL_DELAY, 24, /* sleep in [10.1.10]: 120 ms, as the ST7735R asks more than its kin */

@@ -48,9 +48,8 @@ static int bus_wait(void *context) {
   const unsigned before = bus->readies;
   virtual_bus_run(bus);
   if (bus->under_way != NULL && bus->readies == before) complete(bus, FC_ERR_BUS); /* stuck: the port gives up */
-  /* clang-format off */
-  return bus->transfer_error; /* as some ports do, until the next start: callers must not ask twice */
-  /* clang-format on */
+  /* as some ports do, until the next start: callers must not ask twice */
+  return bus->transfer_error;
 }
 
 static int transfer(virtual_bus *bus, bool data, const uint8_t *bytes, size_t count) {
