@@ -28,7 +28,7 @@ typedef struct outline {
 } outline;
 
 static outline *outline_of(const void *memory, const fc_shapes *shapes) {
-  return (outline *)(void *)((unsigned char *)(uintptr_t)memory + fc_mesh_bytes(shapes));
+  return (outline *)(void *)((unsigned char *)memory + fc_mesh_bytes(shapes));
 }
 
 /* What a table's memory holds of a convex mesh whose outline is known; NULL otherwise. */
@@ -39,7 +39,7 @@ static const outline *known_outline(const fc_group *group) {
   return line->known ? line : NULL;
 }
 
-static uint16_t *links_of(const outline *line) { return (uint16_t *)(uintptr_t)(line + 1); }
+static uint16_t *links_of(const outline *line) { return (uint16_t *)(void *)(line + 1); }
 
 uint32_t fc_convex_memory(const fc_shapes *shapes) {
   return (fc_mesh_bytes(shapes) + (uint32_t)sizeof(outline) + shapes->vertex_count * (uint32_t)sizeof(uint16_t) + 7) / 8 * 8;
@@ -498,7 +498,7 @@ static bool outlines_meet(const fc_frame *frame, const fc_group *group, const ou
 }
 
 void fc_convex_settle(const fc_frame *frame, const fc_group *group) {
-  outline *line = (outline *)(uintptr_t)known_outline(group);
+  outline *line = (outline *)known_outline(group);
   fc_space space = fc_space_of_frame(frame);
   int64_t corners[24];
   uint64_t square = 0;

@@ -1,7 +1,7 @@
 """The most stack that a function of the core may take, from the compiler's call graphs (-fcallgraph-info=su,da); recursion is an error.
 
 A call through a pointer is resolved by its source: `kind->shadow(...)` calls whatever stands in the place of `shadow` in a const descriptor
-(kind.h, layer.h, ...). VISITORS and ALIASES have the two exceptions.
+(kind.h, layer.h, ...). VISITORS and ALIASES have the exceptions.
 """
 import collections
 import functools
@@ -15,7 +15,9 @@ EDGE = re.compile(r'^edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"(?: lab
 MEMBER = re.compile(r"\(\*(\w+)\)\(")
 DESCRIPTOR = re.compile(r"^const (fc_\w+) \w+ FC_ROM = \{([^;]*)\};", re.M)
 # Pointers that are no members: a search calls any function of a visitor's form, fc_layers_apply one of three members.
-VISITORS = {"visit": r"^[\w ]*\bbool (\w+)\(void \*context, const fc_cursor \*at, uint16_t index\) \{"}
+# A sphere's coat is filled in where it is made.
+VISITORS = {"visit": r"^[\w ]*\bbool (\w+)\(void \*context, const fc_cursor \*at, uint16_t index\) \{",
+            **{member: rf"^[\w ]*\bvoid (ball_{member})\(" for member in ("start", "run", "seen")}}
 ALIASES = {"act": ("surface", "light")}
 # It runs once more below itself, for the surface in a mirror, whose own mirrors are followed by a loop: `follow` is called with the enumerator only.
 TWICE = ("fc_layers_apply", "FC_LAYER_FOLLOW", "follow")

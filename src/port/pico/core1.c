@@ -5,7 +5,7 @@
 #include "rp2040.h"
 
 enum {
-  STACK_WORDS = 1024
+  STACK_WORDS = 640
 };
 
 static uint32_t stack[STACK_WORDS] __attribute__((aligned(8)));

@@ -10,7 +10,7 @@ typedef void fcp_core1_program(void);
 /* Takes core 1 through reset, into the boot ROM's loop: also when it still runs something after a reset of core 0 alone. */
 void fcp_core1_reset(void);
 
-/* Has the ROM's loop start a program, on a stack of its own (4 KB). After fcp_core1_reset(). */
+/* Has the ROM's loop start a program, on a stack of its own (2.5 KB). After fcp_core1_reset(). */
 void fcp_core1_start(fcp_core1_program *program);
 
 /* A word to the other core: waits for room (8 words). All that was written before is seen by who takes it. */

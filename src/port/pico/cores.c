@@ -11,7 +11,7 @@ typedef struct half {
   int error;
 } half;
 
-static fc_scratch scratch[2]; /* a core's each: their stacks have 4 KB */
+static fc_scratch scratch[2]; /* a core's each: their stacks have 2.5 KB */
 static half lower;            /* core 0 writes it before the word that starts core 1, core 1 before the word that answers */
 
 void fcp_cores_serve(void) {

@@ -3,7 +3,7 @@
  *
  * Both read the same frame and write different rows of the same target, so there is no lock; words through the
  * FIFOs between the cores start and end each half. Core 1 takes no interrupts: the display's bus is core 0's alone. An option of the build
- * (main.c): 9 KB more RAM for the second stack and what each core draws in.
+ * (main.c): 7.5 KB more RAM for the second stack and what each core draws in.
  */
 #ifndef FIXCAST_PORT_PICO_CORES_H
 #define FIXCAST_PORT_PICO_CORES_H
