@@ -124,10 +124,10 @@ enum {
 };
 #else
 enum {
-  SCENES = 4000,
+  SCENES = 1500,
   RAYS = 60,
-  FRAMES = 3000,
-  DAMAGES = 30000
+  FRAMES = 1000,
+  DAMAGES = 10000
 };
 #endif
 
