@@ -211,6 +211,19 @@ def smooth():
     return lines + quad((-4, 0, 3), (4, 0, 3), (4, 0, -4), (-4, 0, -4))
 
 
+def gloss():
+    """What layers have fast forms for, under one light: a floor of bilinear tiles, a ball with a highlight, a smooth mesh, a shining one."""
+    lines = header("Layers under one light: a floor of tiles, a ball and a coarse mesh that shine, a smooth mesh.")
+    lines += camera("0.4 2.1 5.2", "0 0.55 0", "0.06 1 0", "0.42", 240) + ["b 0.3 0.38 0.52", "#fc: ambient 0.14", "#fc: far 60", "l -3 5 4 0.85 0.85 0.85"]
+    lines += ["#fc: object 1", "f 0.2 0.45 0.75 1 0.5 24 0 1", "s -1.45 0.8 -0.3 0.8"]
+    for index, (x, z, material, smoothed) in enumerate(((0.35, -0.9, "f 0.8 0.35 0.2 1 0 1 0 1", True), (1.7, 0.4, "f 0.75 0.65 0.25 1 0.4 9 0 1", False))):
+        lines += [f"#fc: object {index + 2}", material]
+        for face in icosphere(2 if smoothed else 1):
+            points = [(x + 0.7 * a, 0.7 + 0.7 * b, z + 0.7 * c) for a, b, c in face]
+            lines += ["pp 3"] + [join(point + normal) for point, normal in zip(points, face)] if smoothed else plain_face(points)
+    return lines + ["#fc: object 4", "f 1 1 1 1 0 1 0 1", "#fc: image tiles.ppm bilinear planar 0 0 0 1 0 0 0 0 1", "#fc: plane 0 1 0 0"]
+
+
 def ppm(width, height, pixel):
     rows = b"".join(bytes(pixel(x, y)) for y in range(height) for x in range(width))
     return b"P6\n%d %d\n255\n" % (width, height) + rows
@@ -473,7 +486,7 @@ def main():
     if len(arguments) > 1 or (bench and not arguments):
         sys.exit("usage: generate.py [DIRECTORY] or generate.py --bench DIRECTORY")
     directory = arguments[0] if arguments else os.path.dirname(os.path.abspath(__file__))
-    scenes = bench_only() if bench else {scene.__name__: scene() for scene in (s1, s1r, s2, s3, box, flake, fight, show, smooth)}
+    scenes = bench_only() if bench else {scene.__name__: scene() for scene in (s1, s1r, s2, s3, box, flake, fight, show, smooth, gloss)}
     for name, lines in scenes.items():
         with open(os.path.join(directory, name + ".nff"), "w", encoding="ascii", newline="\n") as file:
             file.write("\n".join(lines) + "\n")

@@ -54,6 +54,8 @@ class Scenes:
         if self.source(scene).suffix == ".obj":
             return "other"
         text = self.source(scene).read_text()
+        if re.search(r"^#fc: image ", text, re.MULTILINE):
+            return "other"
         if not re.search(r"^pp? ", text, re.MULTILINE):
             return "quadrics"
         return "mesh" if not re.search(r"^(l|s|#fc: plane) ", text, re.MULTILINE) else "other"
