@@ -29,6 +29,16 @@ static FC_COLD bool light_of(const fc_scan *scan, bool modulate, fc_coat_texture
   return true;
 }
 
+/* Whether white in full light is less than half a level too bright for RGB565 as it is. */
+static FC_COLD bool plain(const fc_scan *scan, const fc_coat_texture *texture) {
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    const uint32_t most = ((texture->base[i] + (texture->slope[i] << 16)) >> 16) * 65280; /* 16 + 16 bits */
+    if (most >= ((uint32_t)scan->tint.most[i] << FC_TINT_BITS) + (UINT32_C(1) << (FC_TINT_BITS - 1))) return false;
+  }
+  return scan->tint.format == FC_RGB565_BE && scan->tint.transfer == NULL;
+}
+
 static FC_COLD void open_data(const void *data, fc_texture *texture, fc_mapping *mapping, fc_mapping_kind *kind, fc_image *image) {
   FC_READ(texture, data, sizeof *texture);
   FC_READ_ONE(mapping, texture->mapping);
@@ -39,13 +49,15 @@ static FC_COLD void open_data(const void *data, fc_texture *texture, fc_mapping 
 static FC_COLD bool fits(const fc_scan *scan, const void *data) {
   const fc_kind *shape = fc_kind_of(scan->at);
   fc_texture texture;
+  fc_texture_kind pattern;
   fc_mapping mapping;
   fc_mapping_kind kind;
   fc_image image;
   FC_READ(&texture, data, sizeof texture);
-  if (texture.pattern != &fc_texture_image) return false;
+  FC_READ_ONE(&pattern, texture.pattern);
+  if (pattern.put == NULL) return false;
   open_data(data, &texture, &mapping, &kind, &image);
-  return (shape->weights != NULL || shape->bounds == NULL) && kind.forms != NULL && image.bilinear && image.format == FC_TEXEL_RGB888 &&
+  return (shape->weights != NULL || shape->bounds == NULL) && kind.forms != NULL && image.bilinear &&
          light_of(scan, texture.modulate != 0, NULL);
 }
 
@@ -81,6 +93,7 @@ static FC_COLD void planar_start(fc_coat *coat, const void *data) {
   const fc_scan *scan = coat->scan;
   fc_coat_texture *to = &coat->texture;
   fc_texture texture;
+  fc_texture_kind pattern;
   fc_mapping mapping;
   fc_mapping_kind kind;
   fc_image image;
@@ -92,8 +105,15 @@ static FC_COLD void planar_start(fc_coat *coat, const void *data) {
   to->sure = false;
   open_data(data, &texture, &mapping, &kind, &image);
   (void)light_of(scan, texture.modulate != 0, to);
-  to->texels = image.texels;
+  FC_READ_ONE(&pattern, texture.pattern);
+  pattern.open(texture.pattern_data, to);
+  to->put = pattern.put;
+  to->format = image.format;
   to->clamp = image.clamp != 0;
+  to->mask[0] = (uint16_t)(image.width - 1);
+  to->mask[1] = (uint16_t)(image.height - 1);
+  to->masked = !to->clamp && (image.width & to->mask[0]) == 0 && (image.height & to->mask[1]) == 0;
+  to->plain = plain(scan, to);
   if (!kind.forms(coat, &mapping, &forms)) return;
   fc_scan_direction(scan, d, &step);
   set_wide(&q, forms.n, d, step);
@@ -242,98 +262,12 @@ static FC_NOINLINE bool start_run(const fc_coat_texture *texture, const fc_coat_
   return true;
 }
 
-/* x into 0 .. size - 1: *base, a multiple of size, follows it. */
-FC_INLINE int32_t tiled(int32_t x, int32_t size, int32_t *base) {
-  x -= *base;
-  while (x < 0) {
-    x += size;
-    *base -= size;
-  }
-  while (x >= size) {
-    x -= size;
-    *base += size;
-  }
-  return x;
-}
-
-/* A channel of four texels: weights in Q16 that add up to 1, so 24 bits. */
-FC_INLINE uint32_t mixed(const uint8_t *a, const uint8_t *b, const uint8_t *c, const uint8_t *d, uint32_t wa, uint32_t wb, uint32_t wc, uint32_t wd) {
-#ifdef FC_ROM_FAR
-  uint8_t v[4];
-  FC_READ_ONE(v, a);
-  FC_READ_ONE(v + 1, b);
-  FC_READ_ONE(v + 2, c);
-  FC_READ_ONE(v + 3, d);
-  return v[0] * wa + v[1] * wb + v[2] * wc + v[3] * wd;
-#else
-  return *a * wa + *b * wb + *c * wc + *d * wd;
-#endif
-}
-
-/* A channel of light, levels times 256 / 255, and a texel's: 17 bits, below 1.004 2^16, and 15; 2^-8 and 2^-7 of a level are cut. */
-FC_INLINE uint32_t shaded(const fc_coat_texture *texture, uint8_t channel, uint32_t cosine, uint32_t texel) {
-  return ((texture->base[channel] + texture->slope[channel] * cosine) >> 15) * (texel >> 9);
-}
-
-static FC_HOT void put_texels(const fc_coat *coat, uint32_t bits, const int32_t base[2], const int32_t *x, const int32_t *y, const uint32_t *cosine,
-                              uint8_t *to, uint8_t pixel_bytes) {
-  const fc_coat_texture *texture = &coat->texture;
-  const fc_tint *tint = &coat->scan->tint;
-  const int32_t width = texture->axis[0].size, height = texture->axis[1].size;
-  const bool clamp = texture->clamp, plain = tint->format == FC_RGB565_BE && tint->transfer == NULL;
-  const uint32_t high = UINT32_C(31) << FC_TINT_BITS; /* 31 levels; 63 and more than twice that */
-  int32_t across = -base[0], down = -base[1]; /* what makes X a column and a row */
-  for (; bits != 0; bits >>= 1, x++, y++, cosine++, to += pixel_bytes) {
-    const uint8_t *a, *b, *c, *d;
-    int32_t i, j, right, below;
-    uint32_t wa, wb, wc, wd, v[3];
-    if (!(bits & 1)) continue;
-    wb = (uint32_t)*x & 0xffffu;
-    wc = (uint32_t)*y & 0xffffu;
-    i = fc_floor_shift32(*x, 16);
-    j = fc_floor_shift32(*y, 16);
-    if (clamp) {
-      i -= across;
-      j -= down;
-      right = i < -1 ? 0 : i >= width - 1 ? width - 1 : i + 1;
-      below = j < -1 ? 0 : j >= height - 1 ? height - 1 : j + 1;
-      i = i < 0 ? 0 : i >= width ? width - 1 : i;
-      j = j < 0 ? 0 : j >= height ? height - 1 : j;
-    } else {
-      i = tiled(i, width, &across);
-      j = tiled(j, height, &down);
-      right = i + 1 == width ? 0 : i + 1;
-      below = j + 1 == height ? 0 : j + 1;
-    }
-    wd = wb * wc >> 16;
-    wb -= wd;
-    wc -= wd;
-    wa = 65536 - wb - wc - wd;
-    /* 12 + 12 bits, three bytes each */
-    a = texture->texels + 3 * ((uint32_t)(j * width + i));
-    b = a + 3 * (right - i);
-    below = 3 * width * (below - j);
-    c = a + below;
-    d = b + below;
-    v[0] = shaded(texture, 0, *cosine, mixed(a, b, c, d, wa, wb, wc, wd));
-    v[1] = shaded(texture, 1, *cosine, mixed(a + 1, b + 1, c + 1, d + 1, wa, wb, wc, wd));
-    v[2] = shaded(texture, 2, *cosine, mixed(a + 2, b + 2, c + 2, d + 2, wa, wb, wc, wd));
-    if (plain && v[0] < high && v[1] < 2 * high && v[2] < high) {
-      const uint32_t half = UINT32_C(1) << 22;
-      const uint32_t packed = ((v[0] + half) >> 23 << 6 | (v[1] + half) >> 23) << 5 | (v[2] + half) >> 23;
-      to[0] = (uint8_t)(packed >> 8);
-      to[1] = (uint8_t)packed;
-    } else {
-      fc_coat_put_levels(tint, v, to);
-    }
-  }
-}
-
 static FC_NOINLINE void planar_run(fc_coat *coat, const void *data) {
   const fc_coat_texture *texture = &coat->texture;
   fc_coat_run *run = &coat->run;
   int32_t x[32], y[32];
   texel_run at;
+  fc_coat_span span;
   (void)data;
   if (!texture->sure) {
     run->slow = run->bits;
@@ -344,7 +278,14 @@ static FC_NOINLINE void planar_run(fc_coat *coat, const void *data) {
     return;
   }
   run->slow |= run->bits & (at.near ? find_near(&at, run->count, x, y) : find_far(&at, run->count, x, y));
-  put_texels(coat, run->bits & ~run->slow, at.base, x, y, run->cosine, fc_scan_pixel(coat->scan, run->row, run->column), coat->scan->pixel_bytes);
+  span.bits = run->bits & ~run->slow;
+  span.base[0] = at.base[0];
+  span.base[1] = at.base[1];
+  span.x = x;
+  span.y = y;
+  span.cosine = run->cosine;
+  span.to = fc_scan_pixel(coat->scan, run->row, run->column);
+  texture->put(coat, &span);
 }
 
 const fc_coat_layer fc_coat_layer_texture FC_ROM = {&fc_coat_layers, FC_COAT_COLOURS, fits, planar_start, NULL, planar_run, NULL, NULL, NULL};
