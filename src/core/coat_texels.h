@@ -21,6 +21,9 @@ typedef struct texel_square {
   uint32_t a, b, c, d; /* b to the right of a, c below it */
 } texel_square;
 
+/* The includer's: whether the four are seen to be the same without a look at their colours. */
+FC_INLINE bool is_flat(const fc_coat_texture *texture, const texel_square *at);
+
 /* Column i and row j as they are, for clamped images and any size. *tile, multiples of the size, follow i and j. */
 static FC_NOINLINE void around(const fc_coat_texture *texture, int32_t i, int32_t j, int32_t tile[2], texel_square *to) {
   int32_t at[2], next[2];
@@ -60,14 +63,16 @@ static FC_NOINLINE void around(const fc_coat_texture *texture, int32_t i, int32_
 FC_INLINE void square_at(const fc_coat_texture *texture, uint32_t x, uint32_t y, int32_t tile[2], texel_square *to) {
   const uint32_t right = texture->mask[0], bottom = texture->mask[1];
   if (texture->masked) {
-    const uint32_t width = texture->axis[0].size, i = x >> 16 & right, j = y >> 16 & bottom;
+    const uint32_t width = texture->width, i = x >> 16 & right, j = y >> 16 & bottom;
     const uint32_t i1 = (i + 1) & right, top = j * width, below = ((j + 1) & bottom) * width;
     to->a = top + i;
     to->b = top + i1;
     to->c = below + i;
     to->d = below + i1;
   } else {
-    around(texture, fc_floor_shift32(fc_to_i32(x), 16), fc_floor_shift32(fc_to_i32(y), 16), tile, to);
+    texel_square found; /* so that *to may stay in registers */
+    around(texture, fc_floor_shift32(fc_to_i32(x), 16), fc_floor_shift32(fc_to_i32(y), 16), tile, &found);
+    *to = found;
   }
 }
 
@@ -75,40 +80,45 @@ FC_INLINE void square_at(const fc_coat_texture *texture, uint32_t x, uint32_t y,
  * RGB565 without a clamp, in words of two channels. Coordinates are rounded to 2^-8, and so are the weights, which add up to 256 and are not
  * negative: (256 - wx) (256 - wy) / 256 and the like, all off by the same half at most. So 255 x 256 at most in 16 bits: no carry.
  */
-static FC_HOT void put_plain(const fc_coat *coat, const fc_coat_span *span) {
-  const fc_coat_texture *texture = &coat->texture;
-  const int32_t *x = span->x, *y = span->y;
+static FC_HOT void put_plain(const fc_coat_texture *texture, const fc_coat_span *span) {
+  const int32_t *xy = span->xy;
   const uint32_t *cosine = span->cosine;
   const uint32_t across = ((uint32_t)span->base[0] << 16) + 128, down = ((uint32_t)span->base[1] << 16) + 128;
   int32_t tile[2] = {0, 0};
   uint32_t bits = span->bits;
   uint8_t *to = span->to;
-  for (; bits != 0; bits >>= 1, x++, y++, cosine++, to += 2) {
+  for (; bits != 0; bits >>= 1, xy += 2, cosine++, to += 2) {
     texel_square at;
     texel t;
     uint32_t u, v, w, rb, g, c, packed;
     if (!(bits & 1)) continue;
-    u = (uint32_t)*x + across;
-    v = (uint32_t)*y + down;
+    u = (uint32_t)xy[0] + across;
+    v = (uint32_t)xy[1] + down;
     square_at(texture, u, v, tile, &at);
-    u = u >> 8 & 0xffu;
-    v = v >> 8 & 0xffu;
-    w = (u * v + 128) >> 8;
-    t = texel_at(texture, at.d);
-    rb = t.rb * w;
-    g = t.g * w;
-    w = u - w;
-    t = texel_at(texture, at.b);
-    rb += t.rb * w;
-    g += t.g * w;
-    w = 256 - u - (v - (u - w)); /* v - (u - w) is c's */
-    t = texel_at(texture, at.a);
-    rb += t.rb * w;
-    g += t.g * w;
-    w = 256 - u - w;
-    t = texel_at(texture, at.c);
-    rb += t.rb * w;
-    g += t.g * w;
+    if (is_flat(texture, &at)) {
+      t = texel_at(texture, at.a);
+      rb = t.rb << 8;
+      g = t.g << 8;
+    } else {
+      u = u >> 8 & 0xffu;
+      v = v >> 8 & 0xffu;
+      w = (u * v + 128) >> 8;
+      t = texel_at(texture, at.d);
+      rb = t.rb * w;
+      g = t.g * w;
+      w = u - w;
+      t = texel_at(texture, at.b);
+      rb += t.rb * w;
+      g += t.g * w;
+      w = 256 - u - (v - (u - w)); /* v - (u - w) is c's */
+      t = texel_at(texture, at.a);
+      rb += t.rb * w;
+      g += t.g * w;
+      w = 256 - u - w;
+      t = texel_at(texture, at.c);
+      rb += t.rb * w;
+      g += t.g * w;
+    }
     /* light in 2^-7 of a level, times 16 bits: 31 levels and a half, or 63 and a half, at most (coat_texture.c) */
     c = *cosine;
     packed = (((texture->base[0] + texture->slope[0] * c) >> 16) * (rb >> 16) + (UINT32_C(1) << 22)) >> 23 << 11;
@@ -125,22 +135,21 @@ FC_INLINE uint32_t shaded(const fc_coat_texture *texture, uint8_t channel, uint3
 }
 
 /* Any format and light: weights in Q16 that add up to 1. */
-static FC_NOINLINE void put_fine(const fc_coat *coat, const fc_coat_span *span) {
-  const fc_coat_texture *texture = &coat->texture;
-  const fc_tint *tint = &coat->scan->tint;
-  const int32_t *x = span->x, *y = span->y;
+static FC_NOINLINE void put_fine(const fc_coat_texture *texture, const fc_coat_span *span) {
+  const fc_tint *tint = &span->scan->tint;
+  const int32_t *xy = span->xy;
   const uint32_t *cosine = span->cosine;
   const uint32_t across = (uint32_t)span->base[0] << 16, down = (uint32_t)span->base[1] << 16;
   int32_t tile[2] = {0, 0};
   uint32_t bits = span->bits;
   uint8_t *to = span->to;
-  for (; bits != 0; bits >>= 1, x++, y++, cosine++, to += coat->scan->pixel_bytes) {
+  for (; bits != 0; bits >>= 1, xy += 2, cosine++, to += span->scan->pixel_bytes) {
     texel_square at;
     texel a, b, c, d;
     uint32_t u, v, wa, wb, wc, wd, level[3];
     if (!(bits & 1)) continue;
-    u = (uint32_t)*x + across;
-    v = (uint32_t)*y + down;
+    u = (uint32_t)xy[0] + across;
+    v = (uint32_t)xy[1] + down;
     square_at(texture, u, v, tile, &at);
     wb = u & 0xffffu;
     wc = v & 0xffffu;
@@ -160,11 +169,11 @@ static FC_NOINLINE void put_fine(const fc_coat *coat, const fc_coat_span *span) 
   }
 }
 
-static void put(const fc_coat *coat, const fc_coat_span *span) {
-  if (coat->texture.plain)
-    put_plain(coat, span);
+static void put(const fc_coat_texture *texture, const fc_coat_span *span) {
+  if (texture->plain)
+    put_plain(texture, span);
   else
-    put_fine(coat, span);
+    put_fine(texture, span);
 }
 
 #endif

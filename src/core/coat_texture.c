@@ -107,11 +107,11 @@ static FC_COLD void planar_start(fc_coat *coat, const void *data) {
   (void)light_of(scan, texture.modulate != 0, to);
   FC_READ_ONE(&pattern, texture.pattern);
   pattern.open(texture.pattern_data, to);
-  to->put = pattern.put;
-  to->format = image.format;
+  to->pattern = texture.pattern;
+  to->width = image.width;
   to->clamp = image.clamp != 0;
-  to->mask[0] = (uint16_t)(image.width - 1);
-  to->mask[1] = (uint16_t)(image.height - 1);
+  to->mask[0] = image.width - 1u;
+  to->mask[1] = image.height - 1u;
   to->masked = !to->clamp && (image.width & to->mask[0]) == 0 && (image.height & to->mask[1]) == 0;
   to->plain = plain(scan, to);
   if (!kind.forms(coat, &mapping, &forms)) return;
@@ -144,13 +144,15 @@ typedef struct texel_run {
  * up at most 4, q is within 2^-22.9 of itself: times X, below 2^12 where it is not near, 2^-10.9 of a texel. Near ones have a reciprocal
  * within 2^-15 and X in 2^-11; others within 2^-26. Returns those that are too rough.
  */
-static FC_HOT uint32_t find_near(const texel_run *of, uint8_t count, int32_t *x, int32_t *y) {
-  uint32_t q = of->q, rough = 0, bit = 1;
-  uint32_t a = (uint32_t)of->a[0], b = (uint32_t)of->a[1]; /* a step past the run wraps */
+static FC_HOT uint32_t find_near(const texel_run *of, uint8_t first, uint8_t count, int32_t *xy) {
+  uint32_t q = of->q + of->q_dx * first, rough = 0, bit = UINT32_C(1) << first;
+  uint32_t a = (uint32_t)of->a[0] + (uint32_t)of->a_dx[0] * first; /* a step past the run wraps */
+  uint32_t b = (uint32_t)of->a[1] + (uint32_t)of->a_dx[1] * first;
   const uint32_t q_dx = of->q_dx;
   const uint32_t a_dx = (uint32_t)of->a_dx[0], b_dx = (uint32_t)of->a_dx[1];
   const uint8_t a_down = (uint8_t)(16 - of->less[0]), b_down = (uint8_t)(16 - of->less[1]);
   uint8_t up = 1;
+  xy += 2 * first;
   do {
     uint32_t m = q << up;
     int32_t r;
@@ -166,11 +168,10 @@ static FC_HOT uint32_t find_near(const texel_run *of, uint8_t count, int32_t *x,
     } else {
       /* a / 2^15 r is X 2^(31 + up - less - ...): a 2^(less + 16) / q = (a / 2^15) r 2^(less + up - 16) */
       r = (int32_t)fc_recip_q31(m >> 16);
-      *x = fc_floor_shift32(fc_floor_shift32(fc_to_i32(a), 15) * r, (uint8_t)(a_down - up));
-      *y = fc_floor_shift32(fc_floor_shift32(fc_to_i32(b), 15) * r, (uint8_t)(b_down - up));
+      xy[0] = fc_floor_shift32(fc_floor_shift32(fc_to_i32(a), 15) * r, (uint8_t)(a_down - up));
+      xy[1] = fc_floor_shift32(fc_floor_shift32(fc_to_i32(b), 15) * r, (uint8_t)(b_down - up));
     }
-    x++;
-    y++;
+    xy += 2;
     bit <<= 1;
     q += q_dx;
     a += a_dx;
@@ -179,28 +180,124 @@ static FC_HOT uint32_t find_near(const texel_run *of, uint8_t count, int32_t *x,
   return rough;
 }
 
-static FC_HOT uint32_t find_far(const texel_run *of, uint8_t count, int32_t *x, int32_t *y) {
-  uint32_t q = of->q, rough = 0, bit = 1;
-  uint32_t a = (uint32_t)of->a[0], b = (uint32_t)of->a[1]; /* a step past the run wraps */
-  do {
-    const uint8_t up = fc_to_i32(q) > 0 ? fc_clz32(q) : 32;
-    if (up <= 4 && of->less[0] + up <= 14 && of->less[1] + up <= 14) {
-      const uint32_t m = q << up;
-      uint32_t r = fc_recip_q31(m >> 16) << 15; /* 2^62 / m, and a step of Newton's */
-      const int32_t e = (int32_t)(UINT32_C(1) << 30) - (int32_t)fc_mulhi32(m, r);
-      r += (uint32_t)fc_floor_shift32((int32_t)(r >> 16) * fc_floor_shift32(e, 2), 12);
-      *x = fc_floor_shift32(fc_smulhi32(fc_to_i32(a), r), (uint8_t)(14 - of->less[0] - up));
-      *y = fc_floor_shift32(fc_smulhi32(fc_to_i32(b), r), (uint8_t)(14 - of->less[1] - up));
-    } else {
-      rough |= bit;
-    }
-    x++;
-    y++;
-    bit <<= 1;
-    q += of->q_dx;
+/* X of a pixel by Newton's step on the reciprocal; false where it would be too rough. */
+static FC_HOT bool find_at(const texel_run *of, uint32_t q, uint32_t a, uint32_t b, int32_t *to) {
+  uint8_t up = 0;
+  uint32_t r;
+  int32_t e;
+  while (!(q >> 31)) { /* once or twice */
+    if (up == 4) return false;
+    q <<= 1;
+    up++;
+  }
+  if (up == 0 || of->less[0] + up > 14 || of->less[1] + up > 14) return false;
+  r = fc_recip_q31(q >> 16) << 15; /* 2^62 / q, and a step of Newton's */
+  e = (int32_t)(UINT32_C(1) << 30) - (int32_t)fc_mulhi32(q, r);
+  r += (uint32_t)fc_floor_shift32((int32_t)(r >> 16) * fc_floor_shift32(e, 2), 12);
+  to[0] = fc_floor_shift32(fc_smulhi32(fc_to_i32(a), r), (uint8_t)(14 - of->less[0] - up));
+  to[1] = fc_floor_shift32(fc_smulhi32(fc_to_i32(b), r), (uint8_t)(14 - of->less[1] - up));
+  return true;
+}
+
+/* Those from `first` on, one by one. */
+static FC_NOINLINE uint32_t find_far(const texel_run *of, uint8_t first, uint8_t count, int32_t *xy) {
+  uint32_t q = of->q + of->q_dx * first, rough = 0;
+  uint32_t a = (uint32_t)of->a[0] + (uint32_t)of->a_dx[0] * first, b = (uint32_t)of->a[1] + (uint32_t)of->a_dx[1] * first;
+  for (; count != 0; count--, first++) {
+    if (!find_at(of, q, a, b, xy + 2 * first)) rough |= UINT32_C(1) << first;
+    q += of->q_dx; /* a step past the run wraps */
     a += (uint32_t)of->a_dx[0];
     b += (uint32_t)of->a_dx[1];
-  } while (--count != 0);
+  }
+  return rough;
+}
+
+static uint32_t find_single(const texel_run *of, uint8_t first, uint8_t count, int32_t *xy) {
+  return of->near ? find_near(of, first, count, xy) : find_far(of, first, count, xy);
+}
+
+/*
+ * Pixels of the parabola through three points h = 4 or 2 apart: t steps on it is x0 + t d / h + t (t - h) b / (2 h^2), d the first difference
+ * and b the second. In Q20, from 0, as what is added up is below 2^27 (bends). Steps are off by 2^-21: after seven by 2^-18.
+ */
+static FC_HOT void bend(const int32_t *from, const int32_t *middle, const int32_t *to, uint8_t h, int32_t *xy) {
+  uint8_t axis, i;
+  for (axis = 0; axis < 2; axis++) {
+    const int32_t start = *from++, d = *middle - start, b = *to++ - *middle - d, bow = h == 4 ? b : 4 * b;
+    int32_t step = h == 4 ? 4 * d - fc_floor_shift32(3 * b, 1) : 8 * d - 2 * b, at = 0, *put = xy++;
+    middle++;
+    for (i = h; i != 0; i--) {
+      put[0] = start + fc_floor_shift32(at, 4);
+      at += step;
+      step += bow;
+      put[2] = start + fc_floor_shift32(at, 4);
+      at += step;
+      step += bow;
+      put += 4;
+    }
+  }
+}
+
+/*
+ * Where a parabola is near enough. X = whole + D / Q along a row, so its third difference is 6 X' e^2 with e = Q' / Q, and a parabola through
+ * points h apart is off by 0.385 h^3 X' e^2. X' is v / 2h (1 + 2h e) at most, v the difference of the ends; e <= 2^-5: 3.9 v e^2 for h = 4
+ * and 0.87 v e^2 for h = 2. v in Q8 times e^2 in Q26 is the bound in Q34, 2^23: 2^-11 of a texel before the factor 3.9, or 2^25 and 0.87.
+ */
+static bool bends(const int32_t *from, const int32_t *to, uint32_t square, uint32_t bound) {
+  const uint32_t v0 = fc_abs32(to[0] - from[0]), v1 = fc_abs32(to[1] - from[1]), v = (v0 > v1 ? v0 : v1) >> 8;
+  return v < UINT32_C(1) << 14 && (v + 1) * square <= bound; /* 14 + 17 bits */
+}
+
+/* e^2 in Q26, rounded up, at the run's end with the least q; more than 2^16 where e is beyond 2^-5. */
+static uint32_t bend_of(const texel_run *of, uint8_t steps) {
+  const uint32_t last = of->q + of->q_dx * steps, least = last < of->q ? last : of->q;
+  const uint32_t speed = fc_abs32(fc_to_i32(of->q_dx)) >> 10;
+  const uint8_t up = fc_clz32(least | 1);
+  uint32_t e;
+  if (last >> 31 != 0 || up > 4 || speed >= UINT32_C(1) << 15) return UINT32_C(1) << 17; /* rounded below 0 */
+  /* speed 2^10 / least, least = m 2^(16 - up), r = 2^31 / m: Q16 */
+  e = ((speed + 1) * (fc_recip_q31((least << up) >> 16) + 2) >> (21 - up)) + 1;
+  return e > 2048 ? UINT32_C(1) << 17 : (e * e >> 6) + 1;
+}
+
+/* Four pixels between points. */
+static FC_NOINLINE uint32_t find_four(const texel_run *of, uint8_t first, uint8_t count, const int32_t *from, const int32_t *to, uint32_t square,
+                                      uint32_t bound, int32_t *xy) {
+  const uint32_t n = first + 2u;
+  int32_t middle[2];
+  if (first >= count) return 0;
+  if (bends(from, to, square, bound) && find_at(of, of->q + of->q_dx * n, (uint32_t)of->a[0] + (uint32_t)of->a_dx[0] * n,
+                                                (uint32_t)of->a[1] + (uint32_t)of->a_dx[1] * n, middle)) {
+    bend(from, middle, to, 2, xy + 2 * first);
+    return 0;
+  }
+  return find_single(of, first, (uint8_t)(count - first < 4 ? count - first : 4), xy);
+}
+
+/* Eight or four at a time where a parabola is near enough. The forms hold for a whole number of eights. */
+static FC_HOT uint32_t find_bent(const texel_run *of, uint8_t count, uint32_t bound, int32_t *xy) {
+  const uint32_t square = bend_of(of, (uint8_t)((count + 7) & ~7));
+  uint32_t q = of->q, rough = 0, a = (uint32_t)of->a[0], b = (uint32_t)of->a[1];
+  int32_t point[3][2];
+  uint8_t first, i;
+  bool sure = square <= UINT32_C(1) << 16 && find_at(of, q, a, b, point[0]);
+  for (first = 0; first < count; first = (uint8_t)(first + 8)) {
+    for (i = 1; i < 3 && sure; i++) {
+      q += of->q_dx << 2;
+      a += (uint32_t)of->a_dx[0] << 2;
+      b += (uint32_t)of->a_dx[1] << 2;
+      sure = find_at(of, q, a, b, point[i]);
+    }
+    if (!sure) return rough | find_single(of, first, (uint8_t)(count - first), xy);
+    if (bends(point[0], point[2], square, bound)) {
+      bend(point[0], point[1], point[2], 4, xy + 2 * first);
+    } else {
+      rough |= find_four(of, first, count, point[0], point[1], square, 4 * bound, xy);
+      rough |= find_four(of, (uint8_t)(first + 4), count, point[1], point[2], square, 4 * bound, xy);
+    }
+    point[0][0] = point[2][0];
+    point[0][1] = point[2][1];
+  }
   return rough;
 }
 
@@ -220,8 +317,7 @@ static int64_t small_times(int64_t v, int32_t n) {
 }
 
 /* Forms of a run, whose ends are seen; false when they tell too little. What X is in its middle is taken out, so that it is short. */
-static FC_NOINLINE bool start_run(const fc_coat_texture *texture, const fc_coat_run *run, texel_run *to) {
-  const int32_t steps = run->count - 1;
+static FC_NOINLINE bool start_run(const fc_coat_texture *texture, const fc_coat_run *run, uint8_t steps, texel_run *to) {
   const int64_t q = form_at(&texture->q, run), last = q + small_times(texture->q.dx, steps);
   const int64_t most = q > last ? q : last;
   fc_quick inverse;
@@ -237,14 +333,17 @@ static FC_NOINLINE bool start_run(const fc_coat_texture *texture, const fc_coat_
   to->near = true;
   for (i = 0; i < 2; i++) {
     const fc_coat_axis *axis = &texture->axis[i];
-    int64_t a = form_at(&axis->a, run), dx = axis->a.dx, middle = a + (small_times(dx, steps) >> 1), end;
+    int64_t a = form_at(&axis->a, run), dx = axis->a.dx, end = a + small_times(dx, steps);
+    const int64_t middle = a + ((end - a) >> 1);
     const fc_quick far = fc_quick_mul(fc_quick_from(fc_abs64(middle), 0), inverse);
     int32_t whole = fc_quick_to_int(far, 0);
     if (whole >> 14 != 0) return false; /* 2^-26 of it are 2^-12 */
     if (middle < 0) whole = -whole;
-    a -= small_times(q, whole); /* 38 + 15 bits */
-    dx -= small_times(texture->q.dx, whole);
-    end = a + small_times(dx, steps);
+    if (whole != 0) {
+      a -= small_times(q, whole); /* 38 + 15 bits */
+      dx -= small_times(texture->q.dx, whole);
+      end -= small_times(last, whole);
+    }
     bits = fc_bits64(fc_abs64(a) | fc_abs64(end));
     to->less[i] = bits > 29 + cut ? (uint8_t)(bits - 29 - cut) : 0;
     /* X less `whole` is a 2^less / q, a below 2^29 */
@@ -265,27 +364,32 @@ static FC_NOINLINE bool start_run(const fc_coat_texture *texture, const fc_coat_
 static FC_NOINLINE void planar_run(fc_coat *coat, const void *data) {
   const fc_coat_texture *texture = &coat->texture;
   fc_coat_run *run = &coat->run;
-  int32_t x[32], y[32];
+  int32_t xy[64];
   texel_run at;
   fc_coat_span span;
+  fc_texture_kind pattern;
   (void)data;
   if (!texture->sure) {
     run->slow = run->bits;
     return;
   }
-  if (!start_run(texture, run, &at)) {
+  if (start_run(texture, run, (uint8_t)((run->count + 7) & ~7), &at)) {
+    run->slow |= run->bits & find_bent(&at, run->count, texture->plain ? UINT32_C(1) << 23 : UINT32_C(1) << 21, xy);
+  } else if (start_run(texture, run, (uint8_t)(run->count - 1), &at)) { /* the horizon may lie behind the run */
+    run->slow |= run->bits & find_single(&at, 0, run->count, xy);
+  } else {
     run->slow = run->bits;
     return;
   }
-  run->slow |= run->bits & (at.near ? find_near(&at, run->count, x, y) : find_far(&at, run->count, x, y));
+  span.scan = coat->scan;
   span.bits = run->bits & ~run->slow;
   span.base[0] = at.base[0];
   span.base[1] = at.base[1];
-  span.x = x;
-  span.y = y;
+  span.xy = xy;
   span.cosine = run->cosine;
   span.to = fc_scan_pixel(coat->scan, run->row, run->column);
-  texture->put(coat, &span);
+  FC_READ_ONE(&pattern, texture->pattern);
+  pattern.put(texture, &span);
 }
 
 const fc_coat_layer fc_coat_layer_texture FC_ROM = {&fc_coat_layers, FC_COAT_COLOURS, fits, planar_start, NULL, planar_run, NULL, NULL, NULL};

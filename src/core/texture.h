@@ -26,7 +26,7 @@ struct fc_texture_kind {
   void (*colour)(const void *data, const int64_t uv_q24[2], uint16_t colour[3]);
   /* Opens it for the scan engine, texels and colours; and colours a run. NULL: not an image, whose record begins with an fc_image. */
   void (*open)(const void *data, fc_coat_texture *texture);
-  void (*put)(const fc_coat *coat, const fc_coat_span *span);
+  void (*put)(const fc_coat_texture *texture, const fc_coat_span *span);
 };
 
 #endif

@@ -41,7 +41,7 @@ static FC_NOINLINE void short_texel(const fc_coat_texture *texture, uint32_t at,
 FC_INLINE texel texel_at(const fc_coat_texture *texture, uint32_t at) {
   texel t;
   if (texture->format == FC_TEXEL_RGB888) {
-    const uint8_t *from = (const uint8_t *)texture->texels + 3 * at; /* 24 bits, three times */
+    const uint8_t *from = texture->texels + 3 * at; /* 24 bits, three times */
 #ifdef FC_ROM_FAR
     uint8_t bytes[3];
     FC_READ(bytes, from, 3);
@@ -55,10 +55,17 @@ FC_INLINE texel texel_at(const fc_coat_texture *texture, uint32_t at) {
   return t;
 }
 
+FC_INLINE bool is_flat(const fc_coat_texture *texture, const texel_square *at) {
+  (void)texture;
+  (void)at;
+  return false; /* loads are all there is to save */
+}
+
 static FC_COLD void open_texels(const void *data, fc_coat_texture *texture) {
   fc_image image;
   FC_READ(&image, data, sizeof image);
   texture->texels = image.texels;
+  texture->format = image.format;
 }
 
 const fc_texture_kind fc_texture_image FC_ROM = {check, colour, open_texels, put};

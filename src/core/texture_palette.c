@@ -24,7 +24,7 @@ static void read_texel(const void *data, const fc_image *image, uint32_t at, uin
 }
 
 FC_INLINE texel texel_at(const fc_coat_texture *texture, uint32_t at) {
-  const uint8_t *from = (const uint8_t *)texture->texels + at;
+  const uint8_t *from = texture->texels + at;
   texel t;
 #ifdef FC_ROM_FAR
   uint8_t bytes[3];
@@ -37,6 +37,19 @@ FC_INLINE texel texel_at(const fc_coat_texture *texture, uint32_t at) {
   t.rb = (uint32_t)from[0] << 16 | from[2];
   t.g = from[1];
   return t;
+}
+
+/* Few colours make areas of one. */
+FC_INLINE bool is_flat(const fc_coat_texture *texture, const texel_square *at) {
+#ifdef FC_ROM_FAR
+  (void)texture;
+  (void)at;
+  return false;
+#else
+  const uint8_t *texels = texture->texels;
+  const uint8_t first = texels[at->a];
+  return texels[at->d] == first && texels[at->b] == first && texels[at->c] == first;
+#endif
 }
 
 static FC_COLD void open_texels(const void *data, fc_coat_texture *texture) {
