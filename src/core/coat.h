@@ -123,7 +123,7 @@ typedef struct fc_coat_texture {
   bool masked;                /* tiles whose sizes are powers of two */
   bool clamp;
   bool sure;                  /* the forms hold */
-  bool plain;                 /* RGB565 that no light clamps */
+  bool plain;                 /* masked, and RGB565 that no light clamps */
   uint8_t format;             /* fc_texel_format */
   fc_coat_wide q;             /* below 2^38 */
   fc_coat_axis axis[2];

@@ -59,32 +59,25 @@ static FC_NOINLINE void around(const fc_coat_texture *texture, int32_t i, int32_
   to->d = (uint32_t)(next[1] + next[0]);
 }
 
-/* Around a point in Q16: by masks where the sizes are powers of two. */
-FC_INLINE void square_at(const fc_coat_texture *texture, uint32_t x, uint32_t y, int32_t tile[2], texel_square *to) {
-  const uint32_t right = texture->mask[0], bottom = texture->mask[1];
-  if (texture->masked) {
-    const uint32_t width = texture->width, i = x >> 16 & right, j = y >> 16 & bottom;
-    const uint32_t i1 = (i + 1) & right, top = j * width, below = ((j + 1) & bottom) * width;
-    to->a = top + i;
-    to->b = top + i1;
-    to->c = below + i;
-    to->d = below + i1;
-  } else {
-    texel_square found; /* so that *to may stay in registers */
-    around(texture, fc_floor_shift32(fc_to_i32(x), 16), fc_floor_shift32(fc_to_i32(y), 16), tile, &found);
-    *to = found;
-  }
+/* Around a point in Q16, for sizes that are powers of two. */
+FC_INLINE void square_of(const fc_coat_texture *texture, uint32_t x, uint32_t y, texel_square *to) {
+  const uint32_t right = texture->mask[0], bottom = texture->mask[1], width = texture->width;
+  const uint32_t i = x >> 16 & right, j = y >> 16 & bottom;
+  const uint32_t i1 = (i + 1) & right, top = j * width, below = ((j + 1) & bottom) * width;
+  to->a = top + i;
+  to->b = top + i1;
+  to->c = below + i;
+  to->d = below + i1;
 }
 
 /*
- * RGB565 without a clamp, in words of two channels. Coordinates are rounded to 2^-8, and so are the weights, which add up to 256 and are not
+ * RGB565 without a clamp and tiles by masks, in words of two channels; without a call, which would cost registers. Coordinates are rounded to 2^-8, and so are the weights, which add up to 256 and are not
  * negative: (256 - wx) (256 - wy) / 256 and the like, all off by the same half at most. So 255 x 256 at most in 16 bits: no carry.
  */
 static FC_HOT void put_plain(const fc_coat_texture *texture, const fc_coat_span *span) {
   const int32_t *xy = span->xy;
   const uint32_t *cosine = span->cosine;
   const uint32_t across = ((uint32_t)span->base[0] << 16) + 128, down = ((uint32_t)span->base[1] << 16) + 128;
-  int32_t tile[2] = {0, 0};
   uint32_t bits = span->bits;
   uint8_t *to = span->to;
   for (; bits != 0; bits >>= 1, xy += 2, cosine++, to += 2) {
@@ -94,7 +87,7 @@ static FC_HOT void put_plain(const fc_coat_texture *texture, const fc_coat_span 
     if (!(bits & 1)) continue;
     u = (uint32_t)xy[0] + across;
     v = (uint32_t)xy[1] + down;
-    square_at(texture, u, v, tile, &at);
+    square_of(texture, u, v, &at);
     if (is_flat(texture, &at)) {
       t = texel_at(texture, at.a);
       rb = t.rb << 8;
@@ -150,7 +143,10 @@ static FC_NOINLINE void put_fine(const fc_coat_texture *texture, const fc_coat_s
     if (!(bits & 1)) continue;
     u = (uint32_t)xy[0] + across;
     v = (uint32_t)xy[1] + down;
-    square_at(texture, u, v, tile, &at);
+    if (texture->masked)
+      square_of(texture, u, v, &at);
+    else
+      around(texture, fc_floor_shift32(fc_to_i32(u), 16), fc_floor_shift32(fc_to_i32(v), 16), tile, &at);
     wb = u & 0xffffu;
     wc = v & 0xffffu;
     wd = wb * wc >> 16;

@@ -113,7 +113,7 @@ static FC_COLD void planar_start(fc_coat *coat, const void *data) {
   to->mask[0] = image.width - 1u;
   to->mask[1] = image.height - 1u;
   to->masked = !to->clamp && (image.width & to->mask[0]) == 0 && (image.height & to->mask[1]) == 0;
-  to->plain = plain(scan, to);
+  to->plain = to->masked && plain(scan, to);
   if (!kind.forms(coat, &mapping, &forms)) return;
   fc_scan_direction(scan, d, &step);
   set_wide(&q, forms.n, d, step);
