@@ -170,19 +170,52 @@ static FC_HOT void flat_cosines(fc_steps q, int32_t g, int32_t dg, uint8_t count
   } while (--count != 0);
 }
 
+/* The same by chords of 2^s pixels: within 2^-8 (fc_chord_of). They must not cross the horizon, where cosines are cut to 0. */
+static FC_HOT void flat_chords(fc_steps q, int32_t g, int32_t dg, uint8_t count, uint8_t s, uint32_t *cosine) {
+  const uint32_t bend = (q.dxx << (2 * s - 1)) - (q.dxx << (s - 1)); /* n dx + n (n - 1) / 2 dxx */
+  uint32_t end = fc_cosine_of(q.at, g);
+  while (count != 0) {
+    uint32_t at = end << 12, step; /* 17 + 12 bits */
+    uint8_t n = (uint8_t)(1 << s);
+    if (g <= -dg * (INT32_C(1) << s)) {
+      flat_cosines(q, g, dg, count, cosine);
+      return;
+    }
+    q.at += (q.dx << s) + bend;
+    q.dx += q.dxx << s;
+    g += dg * (INT32_C(1) << s);
+    end = fc_cosine_of(q.at, g);
+    step = (uint32_t)fc_floor_shift32(fc_to_i32((end << 12) - at), s);
+    if (n > count) n = count;
+    count = (uint8_t)(count - n);
+    do {
+      *cosine++ = at >> 12;
+      at += step;
+    } while (--n != 0);
+  }
+}
+
 static FC_NOINLINE void find_cosines(fc_coat *coat) {
   fc_coat_run *run = &coat->run;
   fc_steps q;
   fc_cosine_row row;
+  int32_t g, dg = coat->cosine->dx;
+  uint8_t chord;
   fc_steps_start(run->square, run->column, 30, &q);
   row.q = q.at;
   row.dq = q.dx;
   row.ddq = q.dxx;
   /* off by 265 after 32 pixels: 2^-13 of 2^22 and more, half of which the cosine is off by */
-  if (fc_cosine_least(&row, run->count) < UINT32_C(1) << 22)
+  if (fc_cosine_least(&row, run->count) < UINT32_C(1) << 22) {
     run->slow = run->lit;
+    return;
+  }
+  g = coat->cosine->at + run->column * dg + run->row * coat->cosine->dy;
+  chord = coat->textured && coat->scan->tint.plain ? fc_chord_of(fc_cosine_least(&row, (uint8_t)(run->count + 14)), row.ddq) : 0;
+  if (chord != 0)
+    flat_chords(q, g, dg, run->count, chord, run->cosine);
   else
-    flat_cosines(q, coat->cosine->at + run->column * coat->cosine->dx + run->row * coat->cosine->dy, coat->cosine->dx, run->count, run->cosine);
+    flat_cosines(q, g, dg, run->count, run->cosine);
 }
 
 /* Colours a run by its cosines. */

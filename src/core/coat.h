@@ -114,13 +114,31 @@ typedef struct fc_coat_axis {
 } fc_coat_axis;
 
 typedef struct fc_coat_texture {
-  fc_coat_wide q;    /* below 2^38 */
-  fc_coat_axis axis[2];
+  /* what each pixel wants, first: instructions reach few bytes */
+  const uint8_t *texels;      /* of the image's format */
+  const uint8_t *colours;     /* a palette's */
+  uint32_t width;             /* texels */
+  uint32_t mask[2];           /* size - 1; below it is not used unless `masked` */
   uint32_t base[3], slope[3]; /* of white, as fc_tint has them without the half, times 256 / 255 */
-  const uint8_t *texels;
+  bool masked;                /* tiles whose sizes are powers of two */
   bool clamp;
-  bool sure;         /* the forms hold */
+  bool sure;                  /* the forms hold */
+  bool plain;                 /* masked, and RGB565 that no light clamps */
+  uint8_t format;             /* fc_texel_format */
+  fc_coat_wide q;             /* below 2^38 */
+  fc_coat_axis axis[2];
+  const fc_texture_kind *pattern;
 } fc_coat_texture;
+
+/* A run whose texel coordinates, less base and from the centre of texel 0, are known in Q16. */
+typedef struct fc_coat_span {
+  const fc_scan *scan;
+  uint32_t bits;
+  int32_t base[2];        /* below 2^14 */
+  const int32_t *xy;      /* in turns, below 2^12 texels */
+  const uint32_t *cosine; /* Q16 */
+  uint8_t *to;
+} fc_coat_span;
 
 extern const fc_coat_layer fc_coat_layer_texture;
 

@@ -29,6 +29,16 @@ static FC_COLD bool light_of(const fc_scan *scan, bool modulate, fc_coat_texture
   return true;
 }
 
+/* Whether white in full light is less than half a level too bright for RGB565 as it is. */
+static FC_COLD bool plain(const fc_scan *scan, const fc_coat_texture *texture) {
+  uint8_t i;
+  for (i = 0; i < 3; i++) {
+    const uint32_t most = ((texture->base[i] + (texture->slope[i] << 16)) >> 16) * 65280; /* 16 + 16 bits */
+    if (most >= ((uint32_t)scan->tint.most[i] << FC_TINT_BITS) + (UINT32_C(1) << (FC_TINT_BITS - 1))) return false;
+  }
+  return scan->tint.format == FC_RGB565_BE && scan->tint.transfer == NULL;
+}
+
 static FC_COLD void open_data(const void *data, fc_texture *texture, fc_mapping *mapping, fc_mapping_kind *kind, fc_image *image) {
   FC_READ(texture, data, sizeof *texture);
   FC_READ_ONE(mapping, texture->mapping);
@@ -39,13 +49,15 @@ static FC_COLD void open_data(const void *data, fc_texture *texture, fc_mapping 
 static FC_COLD bool fits(const fc_scan *scan, const void *data) {
   const fc_kind *shape = fc_kind_of(scan->at);
   fc_texture texture;
+  fc_texture_kind pattern;
   fc_mapping mapping;
   fc_mapping_kind kind;
   fc_image image;
   FC_READ(&texture, data, sizeof texture);
-  if (texture.pattern != &fc_texture_image) return false;
+  FC_READ_ONE(&pattern, texture.pattern);
+  if (pattern.put == NULL) return false;
   open_data(data, &texture, &mapping, &kind, &image);
-  return (shape->weights != NULL || shape->bounds == NULL) && kind.forms != NULL && image.bilinear && image.format == FC_TEXEL_RGB888 &&
+  return (shape->weights != NULL || shape->bounds == NULL) && kind.forms != NULL && image.bilinear &&
          light_of(scan, texture.modulate != 0, NULL);
 }
 
@@ -81,6 +93,7 @@ static FC_COLD void planar_start(fc_coat *coat, const void *data) {
   const fc_scan *scan = coat->scan;
   fc_coat_texture *to = &coat->texture;
   fc_texture texture;
+  fc_texture_kind pattern;
   fc_mapping mapping;
   fc_mapping_kind kind;
   fc_image image;
@@ -92,8 +105,15 @@ static FC_COLD void planar_start(fc_coat *coat, const void *data) {
   to->sure = false;
   open_data(data, &texture, &mapping, &kind, &image);
   (void)light_of(scan, texture.modulate != 0, to);
-  to->texels = image.texels;
+  FC_READ_ONE(&pattern, texture.pattern);
+  pattern.open(texture.pattern_data, to);
+  to->pattern = texture.pattern;
+  to->width = image.width;
   to->clamp = image.clamp != 0;
+  to->mask[0] = image.width - 1u;
+  to->mask[1] = image.height - 1u;
+  to->masked = !to->clamp && (image.width & to->mask[0]) == 0 && (image.height & to->mask[1]) == 0;
+  to->plain = to->masked && plain(scan, to);
   if (!kind.forms(coat, &mapping, &forms)) return;
   fc_scan_direction(scan, d, &step);
   set_wide(&q, forms.n, d, step);
@@ -124,13 +144,15 @@ typedef struct texel_run {
  * up at most 4, q is within 2^-22.9 of itself: times X, below 2^12 where it is not near, 2^-10.9 of a texel. Near ones have a reciprocal
  * within 2^-15 and X in 2^-11; others within 2^-26. Returns those that are too rough.
  */
-static FC_HOT uint32_t find_near(const texel_run *of, uint8_t count, int32_t *x, int32_t *y) {
-  uint32_t q = of->q, rough = 0, bit = 1;
-  uint32_t a = (uint32_t)of->a[0], b = (uint32_t)of->a[1]; /* a step past the run wraps */
+static FC_HOT uint32_t find_near(const texel_run *of, uint8_t first, uint8_t count, int32_t *xy) {
+  uint32_t q = of->q + of->q_dx * first, rough = 0, bit = UINT32_C(1) << first;
+  uint32_t a = (uint32_t)of->a[0] + (uint32_t)of->a_dx[0] * first; /* a step past the run wraps */
+  uint32_t b = (uint32_t)of->a[1] + (uint32_t)of->a_dx[1] * first;
   const uint32_t q_dx = of->q_dx;
   const uint32_t a_dx = (uint32_t)of->a_dx[0], b_dx = (uint32_t)of->a_dx[1];
   const uint8_t a_down = (uint8_t)(16 - of->less[0]), b_down = (uint8_t)(16 - of->less[1]);
   uint8_t up = 1;
+  xy += 2 * first;
   do {
     uint32_t m = q << up;
     int32_t r;
@@ -146,11 +168,10 @@ static FC_HOT uint32_t find_near(const texel_run *of, uint8_t count, int32_t *x,
     } else {
       /* a / 2^15 r is X 2^(31 + up - less - ...): a 2^(less + 16) / q = (a / 2^15) r 2^(less + up - 16) */
       r = (int32_t)fc_recip_q31(m >> 16);
-      *x = fc_floor_shift32(fc_floor_shift32(fc_to_i32(a), 15) * r, (uint8_t)(a_down - up));
-      *y = fc_floor_shift32(fc_floor_shift32(fc_to_i32(b), 15) * r, (uint8_t)(b_down - up));
+      xy[0] = fc_floor_shift32(fc_floor_shift32(fc_to_i32(a), 15) * r, (uint8_t)(a_down - up));
+      xy[1] = fc_floor_shift32(fc_floor_shift32(fc_to_i32(b), 15) * r, (uint8_t)(b_down - up));
     }
-    x++;
-    y++;
+    xy += 2;
     bit <<= 1;
     q += q_dx;
     a += a_dx;
@@ -159,28 +180,124 @@ static FC_HOT uint32_t find_near(const texel_run *of, uint8_t count, int32_t *x,
   return rough;
 }
 
-static FC_HOT uint32_t find_far(const texel_run *of, uint8_t count, int32_t *x, int32_t *y) {
-  uint32_t q = of->q, rough = 0, bit = 1;
-  uint32_t a = (uint32_t)of->a[0], b = (uint32_t)of->a[1]; /* a step past the run wraps */
-  do {
-    const uint8_t up = fc_to_i32(q) > 0 ? fc_clz32(q) : 32;
-    if (up <= 4 && of->less[0] + up <= 14 && of->less[1] + up <= 14) {
-      const uint32_t m = q << up;
-      uint32_t r = fc_recip_q31(m >> 16) << 15; /* 2^62 / m, and a step of Newton's */
-      const int32_t e = (int32_t)(UINT32_C(1) << 30) - (int32_t)fc_mulhi32(m, r);
-      r += (uint32_t)fc_floor_shift32((int32_t)(r >> 16) * fc_floor_shift32(e, 2), 12);
-      *x = fc_floor_shift32(fc_smulhi32(fc_to_i32(a), r), (uint8_t)(14 - of->less[0] - up));
-      *y = fc_floor_shift32(fc_smulhi32(fc_to_i32(b), r), (uint8_t)(14 - of->less[1] - up));
-    } else {
-      rough |= bit;
-    }
-    x++;
-    y++;
-    bit <<= 1;
-    q += of->q_dx;
+/* X of a pixel by Newton's step on the reciprocal; false where it would be too rough. */
+static FC_HOT bool find_at(const texel_run *of, uint32_t q, uint32_t a, uint32_t b, int32_t *to) {
+  uint8_t up = 0;
+  uint32_t r;
+  int32_t e;
+  while (!(q >> 31)) { /* once or twice */
+    if (up == 4) return false;
+    q <<= 1;
+    up++;
+  }
+  if (up == 0 || of->less[0] + up > 14 || of->less[1] + up > 14) return false;
+  r = fc_recip_q31(q >> 16) << 15; /* 2^62 / q, and a step of Newton's */
+  e = (int32_t)(UINT32_C(1) << 30) - (int32_t)fc_mulhi32(q, r);
+  r += (uint32_t)fc_floor_shift32((int32_t)(r >> 16) * fc_floor_shift32(e, 2), 12);
+  to[0] = fc_floor_shift32(fc_smulhi32(fc_to_i32(a), r), (uint8_t)(14 - of->less[0] - up));
+  to[1] = fc_floor_shift32(fc_smulhi32(fc_to_i32(b), r), (uint8_t)(14 - of->less[1] - up));
+  return true;
+}
+
+/* Those from `first` on, one by one. */
+static FC_NOINLINE uint32_t find_far(const texel_run *of, uint8_t first, uint8_t count, int32_t *xy) {
+  uint32_t q = of->q + of->q_dx * first, rough = 0;
+  uint32_t a = (uint32_t)of->a[0] + (uint32_t)of->a_dx[0] * first, b = (uint32_t)of->a[1] + (uint32_t)of->a_dx[1] * first;
+  for (; count != 0; count--, first++) {
+    if (!find_at(of, q, a, b, xy + 2 * first)) rough |= UINT32_C(1) << first;
+    q += of->q_dx; /* a step past the run wraps */
     a += (uint32_t)of->a_dx[0];
     b += (uint32_t)of->a_dx[1];
-  } while (--count != 0);
+  }
+  return rough;
+}
+
+static uint32_t find_single(const texel_run *of, uint8_t first, uint8_t count, int32_t *xy) {
+  return of->near ? find_near(of, first, count, xy) : find_far(of, first, count, xy);
+}
+
+/*
+ * Pixels of the parabola through three points h = 4 or 2 apart: t steps on it is x0 + t d / h + t (t - h) b / (2 h^2), d the first difference
+ * and b the second. In Q20, from 0, as what is added up is below 2^27 (bends). Steps are off by 2^-21: after seven by 2^-18.
+ */
+static FC_HOT void bend(const int32_t *from, const int32_t *middle, const int32_t *to, uint8_t h, int32_t *xy) {
+  uint8_t axis, i;
+  for (axis = 0; axis < 2; axis++) {
+    const int32_t start = *from++, d = *middle - start, b = *to++ - *middle - d, bow = h == 4 ? b : 4 * b;
+    int32_t step = h == 4 ? 4 * d - fc_floor_shift32(3 * b, 1) : 8 * d - 2 * b, at = 0, *put = xy++;
+    middle++;
+    for (i = h; i != 0; i--) {
+      put[0] = start + fc_floor_shift32(at, 4);
+      at += step;
+      step += bow;
+      put[2] = start + fc_floor_shift32(at, 4);
+      at += step;
+      step += bow;
+      put += 4;
+    }
+  }
+}
+
+/*
+ * Where a parabola is near enough. X = whole + D / Q along a row, so its third difference is 6 X' e^2 with e = Q' / Q, and a parabola through
+ * points h apart is off by 0.385 h^3 X' e^2. X' is v / 2h (1 + 2h e) at most, v the difference of the ends; e <= 2^-5: 3.9 v e^2 for h = 4
+ * and 0.87 v e^2 for h = 2. v in Q8 times e^2 in Q26 is the bound in Q34, 2^23: 2^-11 of a texel before the factor 3.9, or 2^25 and 0.87.
+ */
+static bool bends(const int32_t *from, const int32_t *to, uint32_t square, uint32_t bound) {
+  const uint32_t v0 = fc_abs32(to[0] - from[0]), v1 = fc_abs32(to[1] - from[1]), v = (v0 > v1 ? v0 : v1) >> 8;
+  return v < UINT32_C(1) << 14 && (v + 1) * square <= bound; /* 14 + 17 bits */
+}
+
+/* e^2 in Q26, rounded up, at the run's end with the least q; more than 2^16 where e is beyond 2^-5. */
+static uint32_t bend_of(const texel_run *of, uint8_t steps) {
+  const uint32_t last = of->q + of->q_dx * steps, least = last < of->q ? last : of->q;
+  const uint32_t speed = fc_abs32(fc_to_i32(of->q_dx)) >> 10;
+  const uint8_t up = fc_clz32(least | 1);
+  uint32_t e;
+  if (last >> 31 != 0 || up > 4 || speed >= UINT32_C(1) << 15) return UINT32_C(1) << 17; /* rounded below 0 */
+  /* speed 2^10 / least, least = m 2^(16 - up), r = 2^31 / m: Q16 */
+  e = ((speed + 1) * (fc_recip_q31((least << up) >> 16) + 2) >> (21 - up)) + 1;
+  return e > 2048 ? UINT32_C(1) << 17 : (e * e >> 6) + 1;
+}
+
+/* Four pixels between points. */
+static FC_NOINLINE uint32_t find_four(const texel_run *of, uint8_t first, uint8_t count, const int32_t *from, const int32_t *to, uint32_t square,
+                                      uint32_t bound, int32_t *xy) {
+  const uint32_t n = first + 2u;
+  int32_t middle[2];
+  if (first >= count) return 0;
+  if (bends(from, to, square, bound) && find_at(of, of->q + of->q_dx * n, (uint32_t)of->a[0] + (uint32_t)of->a_dx[0] * n,
+                                                (uint32_t)of->a[1] + (uint32_t)of->a_dx[1] * n, middle)) {
+    bend(from, middle, to, 2, xy + 2 * first);
+    return 0;
+  }
+  return find_single(of, first, (uint8_t)(count - first < 4 ? count - first : 4), xy);
+}
+
+/* Eight or four at a time where a parabola is near enough. The forms hold for a whole number of eights. */
+static FC_HOT uint32_t find_bent(const texel_run *of, uint8_t count, uint32_t bound, int32_t *xy) {
+  const uint32_t square = bend_of(of, (uint8_t)((count + 7) & ~7));
+  uint32_t q = of->q, rough = 0, a = (uint32_t)of->a[0], b = (uint32_t)of->a[1];
+  int32_t point[3][2];
+  uint8_t first, i;
+  bool sure = square <= UINT32_C(1) << 16 && find_at(of, q, a, b, point[0]);
+  for (first = 0; first < count; first = (uint8_t)(first + 8)) {
+    for (i = 1; i < 3 && sure; i++) {
+      q += of->q_dx << 2;
+      a += (uint32_t)of->a_dx[0] << 2;
+      b += (uint32_t)of->a_dx[1] << 2;
+      sure = find_at(of, q, a, b, point[i]);
+    }
+    if (!sure) return rough | find_single(of, first, (uint8_t)(count - first), xy);
+    if (bends(point[0], point[2], square, bound)) {
+      bend(point[0], point[1], point[2], 4, xy + 2 * first);
+    } else {
+      rough |= find_four(of, first, count, point[0], point[1], square, 4 * bound, xy);
+      rough |= find_four(of, (uint8_t)(first + 4), count, point[1], point[2], square, 4 * bound, xy);
+    }
+    point[0][0] = point[2][0];
+    point[0][1] = point[2][1];
+  }
   return rough;
 }
 
@@ -200,8 +317,7 @@ static int64_t small_times(int64_t v, int32_t n) {
 }
 
 /* Forms of a run, whose ends are seen; false when they tell too little. What X is in its middle is taken out, so that it is short. */
-static FC_NOINLINE bool start_run(const fc_coat_texture *texture, const fc_coat_run *run, texel_run *to) {
-  const int32_t steps = run->count - 1;
+static FC_NOINLINE bool start_run(const fc_coat_texture *texture, const fc_coat_run *run, uint8_t steps, texel_run *to) {
   const int64_t q = form_at(&texture->q, run), last = q + small_times(texture->q.dx, steps);
   const int64_t most = q > last ? q : last;
   fc_quick inverse;
@@ -217,14 +333,17 @@ static FC_NOINLINE bool start_run(const fc_coat_texture *texture, const fc_coat_
   to->near = true;
   for (i = 0; i < 2; i++) {
     const fc_coat_axis *axis = &texture->axis[i];
-    int64_t a = form_at(&axis->a, run), dx = axis->a.dx, middle = a + (small_times(dx, steps) >> 1), end;
+    int64_t a = form_at(&axis->a, run), dx = axis->a.dx, end = a + small_times(dx, steps);
+    const int64_t middle = a + ((end - a) >> 1);
     const fc_quick far = fc_quick_mul(fc_quick_from(fc_abs64(middle), 0), inverse);
     int32_t whole = fc_quick_to_int(far, 0);
     if (whole >> 14 != 0) return false; /* 2^-26 of it are 2^-12 */
     if (middle < 0) whole = -whole;
-    a -= small_times(q, whole); /* 38 + 15 bits */
-    dx -= small_times(texture->q.dx, whole);
-    end = a + small_times(dx, steps);
+    if (whole != 0) {
+      a -= small_times(q, whole); /* 38 + 15 bits */
+      dx -= small_times(texture->q.dx, whole);
+      end -= small_times(last, whole);
+    }
     bits = fc_bits64(fc_abs64(a) | fc_abs64(end));
     to->less[i] = bits > 29 + cut ? (uint8_t)(bits - 29 - cut) : 0;
     /* X less `whole` is a 2^less / q, a below 2^29 */
@@ -242,109 +361,35 @@ static FC_NOINLINE bool start_run(const fc_coat_texture *texture, const fc_coat_
   return true;
 }
 
-/* x into 0 .. size - 1: *base, a multiple of size, follows it. */
-FC_INLINE int32_t tiled(int32_t x, int32_t size, int32_t *base) {
-  x -= *base;
-  while (x < 0) {
-    x += size;
-    *base -= size;
-  }
-  while (x >= size) {
-    x -= size;
-    *base += size;
-  }
-  return x;
-}
-
-/* A channel of four texels: weights in Q16 that add up to 1, so 24 bits. */
-FC_INLINE uint32_t mixed(const uint8_t *a, const uint8_t *b, const uint8_t *c, const uint8_t *d, uint32_t wa, uint32_t wb, uint32_t wc, uint32_t wd) {
-#ifdef FC_ROM_FAR
-  uint8_t v[4];
-  FC_READ_ONE(v, a);
-  FC_READ_ONE(v + 1, b);
-  FC_READ_ONE(v + 2, c);
-  FC_READ_ONE(v + 3, d);
-  return v[0] * wa + v[1] * wb + v[2] * wc + v[3] * wd;
-#else
-  return *a * wa + *b * wb + *c * wc + *d * wd;
-#endif
-}
-
-/* A channel of light, levels times 256 / 255, and a texel's: 17 bits, below 1.004 2^16, and 15; 2^-8 and 2^-7 of a level are cut. */
-FC_INLINE uint32_t shaded(const fc_coat_texture *texture, uint8_t channel, uint32_t cosine, uint32_t texel) {
-  return ((texture->base[channel] + texture->slope[channel] * cosine) >> 15) * (texel >> 9);
-}
-
-static FC_HOT void put_texels(const fc_coat *coat, uint32_t bits, const int32_t base[2], const int32_t *x, const int32_t *y, const uint32_t *cosine,
-                              uint8_t *to, uint8_t pixel_bytes) {
-  const fc_coat_texture *texture = &coat->texture;
-  const fc_tint *tint = &coat->scan->tint;
-  const int32_t width = texture->axis[0].size, height = texture->axis[1].size;
-  const bool clamp = texture->clamp, plain = tint->format == FC_RGB565_BE && tint->transfer == NULL;
-  const uint32_t high = UINT32_C(31) << FC_TINT_BITS; /* 31 levels; 63 and more than twice that */
-  int32_t across = -base[0], down = -base[1]; /* what makes X a column and a row */
-  for (; bits != 0; bits >>= 1, x++, y++, cosine++, to += pixel_bytes) {
-    const uint8_t *a, *b, *c, *d;
-    int32_t i, j, right, below;
-    uint32_t wa, wb, wc, wd, v[3];
-    if (!(bits & 1)) continue;
-    wb = (uint32_t)*x & 0xffffu;
-    wc = (uint32_t)*y & 0xffffu;
-    i = fc_floor_shift32(*x, 16);
-    j = fc_floor_shift32(*y, 16);
-    if (clamp) {
-      i -= across;
-      j -= down;
-      right = i < -1 ? 0 : i >= width - 1 ? width - 1 : i + 1;
-      below = j < -1 ? 0 : j >= height - 1 ? height - 1 : j + 1;
-      i = i < 0 ? 0 : i >= width ? width - 1 : i;
-      j = j < 0 ? 0 : j >= height ? height - 1 : j;
-    } else {
-      i = tiled(i, width, &across);
-      j = tiled(j, height, &down);
-      right = i + 1 == width ? 0 : i + 1;
-      below = j + 1 == height ? 0 : j + 1;
-    }
-    wd = wb * wc >> 16;
-    wb -= wd;
-    wc -= wd;
-    wa = 65536 - wb - wc - wd;
-    /* 12 + 12 bits, three bytes each */
-    a = texture->texels + 3 * ((uint32_t)(j * width + i));
-    b = a + 3 * (right - i);
-    below = 3 * width * (below - j);
-    c = a + below;
-    d = b + below;
-    v[0] = shaded(texture, 0, *cosine, mixed(a, b, c, d, wa, wb, wc, wd));
-    v[1] = shaded(texture, 1, *cosine, mixed(a + 1, b + 1, c + 1, d + 1, wa, wb, wc, wd));
-    v[2] = shaded(texture, 2, *cosine, mixed(a + 2, b + 2, c + 2, d + 2, wa, wb, wc, wd));
-    if (plain && v[0] < high && v[1] < 2 * high && v[2] < high) {
-      const uint32_t half = UINT32_C(1) << 22;
-      const uint32_t packed = ((v[0] + half) >> 23 << 6 | (v[1] + half) >> 23) << 5 | (v[2] + half) >> 23;
-      to[0] = (uint8_t)(packed >> 8);
-      to[1] = (uint8_t)packed;
-    } else {
-      fc_coat_put_levels(tint, v, to);
-    }
-  }
-}
-
 static FC_NOINLINE void planar_run(fc_coat *coat, const void *data) {
   const fc_coat_texture *texture = &coat->texture;
   fc_coat_run *run = &coat->run;
-  int32_t x[32], y[32];
+  int32_t xy[64];
   texel_run at;
+  fc_coat_span span;
+  fc_texture_kind pattern;
   (void)data;
   if (!texture->sure) {
     run->slow = run->bits;
     return;
   }
-  if (!start_run(texture, run, &at)) {
+  if (start_run(texture, run, (uint8_t)((run->count + 7) & ~7), &at)) {
+    run->slow |= run->bits & find_bent(&at, run->count, texture->plain ? UINT32_C(1) << 23 : UINT32_C(1) << 21, xy);
+  } else if (start_run(texture, run, (uint8_t)(run->count - 1), &at)) { /* the horizon may lie behind the run */
+    run->slow |= run->bits & find_single(&at, 0, run->count, xy);
+  } else {
     run->slow = run->bits;
     return;
   }
-  run->slow |= run->bits & (at.near ? find_near(&at, run->count, x, y) : find_far(&at, run->count, x, y));
-  put_texels(coat, run->bits & ~run->slow, at.base, x, y, run->cosine, fc_scan_pixel(coat->scan, run->row, run->column), coat->scan->pixel_bytes);
+  span.scan = coat->scan;
+  span.bits = run->bits & ~run->slow;
+  span.base[0] = at.base[0];
+  span.base[1] = at.base[1];
+  span.xy = xy;
+  span.cosine = run->cosine;
+  span.to = fc_scan_pixel(coat->scan, run->row, run->column);
+  FC_READ_ONE(&pattern, texture->pattern);
+  pattern.put(texture, &span);
 }
 
 const fc_coat_layer fc_coat_layer_texture FC_ROM = {&fc_coat_layers, FC_COAT_COLOURS, fits, planar_start, NULL, planar_run, NULL, NULL, NULL};

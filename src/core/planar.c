@@ -481,16 +481,6 @@ uint32_t fc_cosine_least(const fc_cosine_row *r, uint8_t n) {
   return drop < r->q ? r->q - (uint32_t)drop : 0;
 }
 
-/* The longest chords that are good enough for q from `least` on: 2^s pixels; 0: none. 6.1^2 m^2 / 2 = 4764, 1191, 298, 75. */
-static uint8_t chord_of(uint32_t least, uint32_t ddq) {
-  /* 4096, 1024, 256 and 64 times 5 / 4 */
-  const uint32_t bend = ddq + (ddq >> 2);
-  return least >> 12 >= bend ? 4 : least >> 10 >= bend ? 3
-                               : least >> 8 >= bend    ? 2
-                               : least >> 6 >= bend    ? 1
-                                                       : 0;
-}
-
 FC_HOT void fc_planar_colour(fc_scan *scan, const fc_planar *planar, const fc_cosine *g) {
   /* chords twice as long are off four times as far: 2^-6 of a cosine, four levels in 255 */
   const uint8_t fast = fc_scan_guesses(scan);
@@ -526,7 +516,7 @@ FC_HOT void fc_planar_colour(fc_scan *scan, const fc_planar *planar, const fc_co
         continue;
       }
       fc_scan_lit(scan, row, at, bits);
-      chord = scan->tint.plain ? chord_of(least, forms.ddq) : 0;
+      chord = scan->tint.plain ? fc_chord_of(least, forms.ddq) : 0;
       if (chord != 0 && chord < 4) chord = (uint8_t)(chord + fast);
       if (chord != 0) {
         shade_chords(&scan->tint, &forms, g->dx, count, bits, fc_scan_pixel(scan, row, at), chord);

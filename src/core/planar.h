@@ -91,6 +91,13 @@ FC_INLINE uint32_t fc_cosine_of(uint32_t q, int32_t g) {
   return c > 65536 ? 65536 : c;
 }
 
+/* The longest chords that are good enough for q from `least` on: 2^s pixels; 0: none. 6.1^2 m^2 / 2 = 4764, 1191, 298, 75. */
+static inline uint8_t fc_chord_of(uint32_t least, uint32_t ddq) {
+  /* 4096, 1024, 256 and 64 times 5 / 4 */
+  const uint32_t bend = ddq + (ddq >> 2);
+  return least >> 12 >= bend ? 4 : least >> 10 >= bend ? 3 : least >> 8 >= bend ? 2 : least >> 6 >= bend ? 1 : 0;
+}
+
 /* What fc_planar_reach left to do. */
 enum {
   FC_PLANAR_DARK,

@@ -24,6 +24,9 @@ struct fc_texture_kind {
   int (*check)(const void *data);
   /* The colour at (u, v), Q15. */
   void (*colour)(const void *data, const int64_t uv_q24[2], uint16_t colour[3]);
+  /* Opens it for the scan engine, texels and colours; and colours a run. NULL: not an image, whose record begins with an fc_image. */
+  void (*open)(const void *data, fc_coat_texture *texture);
+  void (*put)(const fc_coat_texture *texture, const fc_coat_span *span);
 };
 
 #endif

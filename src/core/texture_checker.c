@@ -14,4 +14,4 @@ static FC_COLD void colour(const void *data, const int64_t uv_q24[2], uint16_t t
   fc_channels(&checker.colour[square & 1], to);
 }
 
-const fc_texture_kind fc_texture_checker FC_ROM = {check, colour};
+const fc_texture_kind fc_texture_checker FC_ROM = {check, colour, NULL, NULL};

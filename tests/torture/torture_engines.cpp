@@ -342,6 +342,7 @@ private:
     texels_.resize(3 * 8 * 5);
     for (uint8_t &texel : texels_) texel = static_cast<uint8_t>(random_.within(0, 255));
     image_ = {texels_.data(), 8, 5, FC_TEXEL_RGB888, 1, static_cast<uint8_t>(random_.flip())};
+    store_texels();
     mapping_ = {random_.flip() ? &fc_mapping_vertices : &fc_mapping_planar, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 1, 2};
     mapping_.origin = to_core(random_.vec(bits_));
     mapping_.u = to_core(random_.vec(bits_));
@@ -349,6 +350,10 @@ private:
     mapping_.u.x |= 1;
     mapping_.v.y |= 1;
     texture_ = {&mapping_, &fc_texture_image, &image_, static_cast<uint8_t>(random_.flip())};
+    if (palette_.colours != nullptr) {
+      texture_.pattern = &fc_texture_palette;
+      texture_.pattern_data = &palette_;
+    }
     const bool wild = random_.within(0, 3) == 0; /* or those of a triangle lie close together */
     Vec about = random_.direction(13);
     for (size_t i = 0; i < vertices_.size(); i++) {
@@ -356,6 +361,25 @@ private:
       const Vec n = wild ? about : about + random_.vec(11);
       normals_.push_back({static_cast<int16_t>(n.x), static_cast<int16_t>(n.y), static_cast<int16_t>(n.z)});
       uvs_.push_back({static_cast<int32_t>(random_.within(-200000, 200000)), static_cast<int32_t>(random_.within(-200000, 200000))});
+    }
+  }
+
+  /* How the image is stored, and whether masks tile it. By what the texels are, so that the numbers of old trials stay the same. */
+  void store_texels() {
+    if (texels_[1] & 1) image_.height = 4;
+    switch (texels_[0] & 3) {
+      case 0: break;
+      case 1: /* with areas of one colour, or without */
+        for (const uint8_t texel : texels_) indices_.push_back(static_cast<uint8_t>(texels_[1] & 2 ? texel >> 7 : texel % 40));
+        image_.texels = indices_.data();
+        palette_ = {image_, texels_.data(), 40};
+        break;
+      case 2:
+        for (size_t i = 0; i < 40; i++) packed_.push_back(static_cast<uint16_t>(texels_[2 * i] << 8 | texels_[2 * i + 1]));
+        image_.texels = packed_.data();
+        image_.format = FC_TEXEL_RGB565;
+        break;
+      default: image_.format = FC_TEXEL_GREY8; break;
     }
   }
 
@@ -371,7 +395,10 @@ private:
   std::vector<fc_normal> normals_;
   std::vector<fc_uv> uvs_;
   std::vector<uint8_t> texels_;
+  std::vector<uint8_t> indices_;
+  std::vector<uint16_t> packed_;
   fc_image image_ = {};
+  fc_palette_image palette_ = {};
   fc_mapping mapping_ = {};
   fc_texture texture_ = {};
   fc_phong phong_ = {};
