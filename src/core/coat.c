@@ -113,7 +113,7 @@ static bool layer_at(const fc_material *material, uint16_t i, fc_layer *layer, f
   return true;
 }
 
-static FC_COLD bool fits(const fc_scan *scan, const fc_material *material) {
+FC_COLD bool fc_coat_fits(const fc_scan *scan, const fc_material *material) {
   fc_material copy;
   uint16_t i;
   uint8_t roles = 0;
@@ -252,7 +252,7 @@ static FC_NOINLINE void colour_run(fc_coat *coat, uint16_t row, uint16_t column,
   if ((run->slow & bits) != 0) fc_scan_shade_slowly(scan, row, column, run->slow & bits);
 }
 
-static FC_COLD void planar(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
+FC_COLD void fc_coat_planar(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners) {
   const fc_planar *on;
   const fc_cosine *g;
   fc_square square;
@@ -326,7 +326,7 @@ static FC_COLD void ball_seen(fc_ball_coat *of, uint16_t row, uint16_t column, u
   apply(coat, SPHERE_SEEN);
 }
 
-static FC_COLD void sphere(fc_scan *scan, const fc_placed_sphere *placed) {
+FC_COLD void fc_coat_sphere(fc_scan *scan, const fc_placed_sphere *placed) {
   ball_coat of;
   of.calls.start = ball_start;
   of.calls.run = ball_run;
@@ -335,4 +335,4 @@ static FC_COLD void sphere(fc_scan *scan, const fc_placed_sphere *placed) {
   fc_ball_draw(scan, placed, &of.calls);
 }
 
-const fc_coat_kind fc_coat_layers FC_ROM = {fits, planar, sphere};
+const fc_coat_kind fc_coat_layers FC_ROM = {fc_coat_fits, fc_coat_planar, fc_coat_sphere};

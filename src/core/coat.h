@@ -22,7 +22,11 @@ struct fc_coat_kind {
   void (*sphere)(fc_scan *scan, const fc_placed_sphere *placed);
 };
 
+/* Any layers; its functions, for kinds that draw some materials by themselves. */
 extern const fc_coat_kind fc_coat_layers;
+bool fc_coat_fits(const fc_scan *scan, const fc_material *material);
+void fc_coat_planar(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int64_t *hull, uint8_t corners);
+void fc_coat_sphere(fc_scan *scan, const fc_placed_sphere *placed);
 
 /* What a layer does with the pixels: each role at most once in a material. */
 enum { FC_COAT_ADDS = 1, FC_COAT_TURNS = 2, FC_COAT_COLOURS = 4, FC_COAT_MIRRORS = 8 };
@@ -32,7 +36,7 @@ typedef struct fc_coat fc_coat;
 
 /* What a kind of layer brings: NULL functions have nothing to do. */
 typedef struct fc_coat_layer {
-  const fc_coat_kind *kind; /* fc_coat_layers */
+  const fc_coat_kind *kind; /* of a material whose first layer it is: fc_coat_layers, or what takes the rest to it */
   uint8_t role;             /* FC_COAT_... */
   bool (*fits)(const fc_scan *scan, const void *data);
   /* A tile on a plane: sets up forms; makes the cosines of a run; colours it, or adds to its colours. */
@@ -95,7 +99,7 @@ bool fc_coat_weights_set(const fc_scan *scan, fc_coat_weights *weights);
 /* Smooth normals: as they are, by rays, or by forms. */
 enum { FC_SMOOTH_NOT, FC_SMOOTH_SLOW, FC_SMOOTH_FORMS };
 typedef struct fc_coat_smooth {
-  int32_t at[3], dx[3], dy[3]; /* the normal, towards the eye, any length: below 2^30 in the tile */
+  int32_t at[3], dx[3], dy[3]; /* the normal, towards the eye, any length: below 2^29 in the tile, or 2^30.1 within a small triangle */
   uint8_t how;
 } fc_coat_smooth;
 

@@ -639,12 +639,6 @@ static FC_COLD void draw_exactly(fc_brush *brush, const fc_tile *seen) {
   }
 }
 
-/* A corner's coordinate; up 2^exponent that fits, as the mesh has made sure. */
-static inline int32_t place(int32_t a, int32_t up, uint32_t mantissa) {
-  a = up >= 0 ? a * (INT32_C(1) << up) : fc_floor_shift32(a, up < -31 ? 31 : (uint8_t)-up);
-  return fc_smulhi32(a, mantissa);
-}
-
 static FC_NOINLINE void fill_spot(fc_spot *spot, const fc_placed_mesh *mesh, uint16_t vertex) {
   const fc_placed_vertex *v = fc_mesh_vertices(mesh) + vertex;
   const uint32_t seen = v->seen;
@@ -655,8 +649,8 @@ static FC_NOINLINE void fill_spot(fc_spot *spot, const fc_placed_mesh *mesh, uin
     const int32_t up = fc_seen_exponent(seen) - mesh->shift;
     spot->near = fc_mulhi32(mantissa, mesh->depth); /* at least 2^30 */
     spot->exponent = fc_seen_exponent(seen);
-    spot->x = place(v->p[0], up, mantissa);
-    spot->y = place(-v->p[1], up, mantissa);
+    spot->x = fc_mesh_screen(v->p[0], up, mantissa);
+    spot->y = fc_mesh_screen(-v->p[1], up, mantissa);
   }
 }
 

@@ -6,6 +6,8 @@ materials.py --self-test SIMULATOR   proves that a wrong, missing or superfluous
 
 A scene is a ball (object 1), a four-sided pyramid (2) and a floor (3), with one thing changed at a time.
 """
+import itertools
+import math
 import pathlib
 import shutil
 import sys
@@ -27,8 +29,23 @@ FLOOR_MAP = "planar -3 0 -6 1.5 0 0 0 0 1.5"
 WALL_MAP = "planar -0.2 0 -2.6 1 0 0 0 1 0"
 
 
-def scene(lights=(LAMP,), ball=(FLAT[0],), pyramid=(FLAT[1],), floor=(FLAT[2],), more=(), smooth=False):
-    """The text of a scene; materials are the words of `f` and then further lines."""
+def facets(center, radius, around, down):
+    """A ball of triangles as the format's lines: each corner with the ball's own normal."""
+    def corner(i, j):
+        across, up = 2 * math.pi * i / around, math.pi * j / down
+        normal = (math.sin(up) * math.cos(across), math.cos(up), math.sin(up) * math.sin(across))
+        point = (c + radius * n for c, n in zip(center, normal))
+        return " ".join(f"{v:.5f}" for v in (*point, *normal))
+    lines = []
+    for i, j in itertools.product(range(around), range(down)):
+        a, b, c, d = corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)
+        lines += ["pp 3", a, b, c] if j > 0 else []
+        lines += ["pp 3", a, c, d] if j < down - 1 else []
+    return lines
+
+
+def scene(lights=(LAMP,), ball=(FLAT[0],), pyramid=(FLAT[1],), floor=(FLAT[2],), more=(), smooth=False, mesh=()):
+    """The text of a scene; materials are the words of `f` and then further lines. `mesh` stands in for the pyramid."""
     lines = ["v", "from 0 1.6 2", "at 0 0.8 -3", "up 0 1 0", "angle 50", "hither 0.01", "resolution 64 48", "#fc: tan_half_fov 0.42",
              "b 0.3 0.4 0.6", "#fc: ambient 0.1 0.11 0.12", "#fc: far 60", *more, *lights]
     for number, (material, *further) in enumerate((ball, pyramid, floor), 1):
@@ -37,6 +54,8 @@ def scene(lights=(LAMP,), ball=(FLAT[0],), pyramid=(FLAT[1],), floor=(FLAT[2],),
             lines.append("s -1 0.8 -3 0.8")
         elif number == 3:
             lines.append("#fc: plane 0 1 0 0")
+        elif mesh:
+            lines += mesh
         else:
             for a, b in zip(BASE, BASE[1:] + BASE[:1]):
                 corners = (a, b, TIP)
@@ -64,6 +83,9 @@ CASES = {
     "mirrors, four bounces": scene(ball=(FLAT[0], "#fc: mirror 0.8 0.8 0.8 4"), floor=(FLAT[2], "#fc: mirror 0.6 0.6 0.6 4")),
     "smooth": scene(smooth=True),
     "smooth phong": scene(smooth=True, pyramid=(f"{SPOT} 10 0 1",)),
+    "smooth, small triangles": scene(mesh=facets((0.9, 0.8, -3.4), 0.8, 16, 9)),
+    "smooth, long triangles": scene(mesh=facets((0.9, 0.8, -3.4), 0.8, 5, 40)),
+    "smooth image": scene(smooth=True, pyramid=(WHITE, f"#fc: image tiles.ppm bilinear {WALL_MAP}")),
     "checker on a ball": scene(ball=(WHITE, "#fc: checker 0.9 0.8 0.7 0.1 0.1 0.3 spherical repeat 6 3")),
     "checker on a plane": scene(floor=(WHITE, f"#fc: checker 0.9 0.8 0.7 0.1 0.1 0.3 {FLOOR_MAP}")),
     "checker on triangles": scene(pyramid=(WHITE, f"#fc: checker 0.9 0.8 0.7 0.1 0.1 0.3 {WALL_MAP}")),
