@@ -128,7 +128,14 @@ FC_COLD bool fc_coat_fits(const fc_scan *scan, const fc_material *material) {
   return (roles & (FC_COAT_ADDS | FC_COAT_MIRRORS)) == 0 || roles == FC_COAT_ADDS || roles == FC_COAT_MIRRORS;
 }
 
-enum { PLANAR_START, PLANAR_COSINES, PLANAR_RUN, SPHERE_START, SPHERE_RUN, SPHERE_SEEN };
+enum {
+  PLANAR_START,
+  PLANAR_COSINES,
+  PLANAR_RUN,
+  SPHERE_START,
+  SPHERE_RUN,
+  SPHERE_SEEN
+};
 
 static FC_NOINLINE void apply(fc_coat *coat, uint8_t which) {
   uint8_t i;

@@ -29,7 +29,12 @@ void fc_coat_planar(fc_scan *scan, const int64_t normal[3], fc_i128 k, const int
 void fc_coat_sphere(fc_scan *scan, const fc_placed_sphere *placed);
 
 /* What a layer does with the pixels: each role at most once in a material. */
-enum { FC_COAT_ADDS = 1, FC_COAT_TURNS = 2, FC_COAT_COLOURS = 4, FC_COAT_MIRRORS = 8 };
+enum {
+  FC_COAT_ADDS = 1,
+  FC_COAT_TURNS = 2,
+  FC_COAT_COLOURS = 4,
+  FC_COAT_MIRRORS = 8
+};
 
 /* A tile being coloured. */
 typedef struct fc_coat fc_coat;
@@ -53,35 +58,35 @@ typedef struct fc_coat_layer {
 /* Up to 32 neighbouring pixels of a row. */
 typedef struct fc_coat_run {
   uint16_t row, column;
-  uint32_t bits;        /* those to colour; planes: the first pixel is one of them */
-  uint32_t lit;         /* planes: those of them that the light reaches */
-  uint8_t count;        /* planes: up to the last of them */
-  uint32_t slow;        /* planes: those that a layer leaves to a ray */
-  uint32_t *cosine;     /* planes: Q16, of each pixel, when fc_coat.cosines says so; 0 where the light does not reach */
+  uint32_t bits;           /* those to colour; planes: the first pixel is one of them */
+  uint32_t lit;            /* planes: those of them that the light reaches */
+  uint8_t count;           /* planes: up to the last of them */
+  uint32_t slow;           /* planes: those that a layer leaves to a ray */
+  uint32_t *cosine;        /* planes: Q16, of each pixel, when fc_coat.cosines says so; 0 where the light does not reach */
   const fc_square *square; /* planes: W.W at the row's first column */
-  const uint32_t *p;    /* spheres: near / z, as fc_ball_light has it */
-  const uint32_t *e;    /* ... s - h in Q24, within the light's margin */
-  uint32_t b, b_step;   /* ... p less the root: at the first pixel, and its steps */
+  const uint32_t *p;       /* spheres: near / z, as fc_ball_light has it */
+  const uint32_t *e;       /* ... s - h in Q24, within the light's margin */
+  uint32_t b, b_step;      /* ... p less the root: at the first pixel, and its steps */
 } fc_coat_run;
 
 /* Phong's highlight: c^2 = X^2 / (Y |D|^2) in integers. */
 typedef struct fc_coat_phong {
-  uint32_t slope[3];      /* of the specular reflectance: levels as fc_tint has them, a highlight in Q16 */
+  uint32_t slope[3]; /* of the specular reflectance: levels as fc_tint has them, a highlight in Q16 */
   uint32_t shininess_q8;
-  uint32_t least;         /* c^n is below 2^-12 where c^2 is below this, Q16, rounded down ... */
-  uint32_t most;          /* ... and where log2(1 / c^2) is beyond this, Q20 */
-  uint16_t row;           /* of the squares */
-  fc_square x;            /* planes: X */
-  fc_square d;            /* |D|^2 */
+  uint32_t least; /* c^n is below 2^-12 where c^2 is below this, Q16, rounded down ... */
+  uint32_t most;  /* ... and where log2(1 / c^2) is beyond this, Q20 */
+  uint16_t row;   /* of the squares */
+  fc_square x;    /* planes: X */
+  fc_square d;    /* |D|^2 */
   /* spheres */
   int32_t along, along_dx, along_dy; /* D.(L - C) / l at the tile's first pixel */
-  uint32_t root;          /* p less b times root / 2^32 2^root_up: n.D */
+  uint32_t root;                     /* p less b times root / 2^32 2^root_up: n.D */
   int8_t root_up;
-  uint8_t root_down;      /* 15 - root_up */
-  uint8_t octave;         /* p of fewer bits tells too little */
-  bool rough;             /* all of them do */
-  uint32_t h;             /* r / l in Q24 */
-  int32_t t0;             /* c^n is below 2^-12 where X / 2^16 is below t0 - t1 (s - h) */
+  uint8_t root_down; /* 15 - root_up */
+  uint8_t octave;    /* p of fewer bits tells too little */
+  bool rough;        /* all of them do */
+  uint32_t h;        /* r / l in Q24 */
+  int32_t t0;        /* c^n is below 2^-12 where X / 2^16 is below t0 - t1 (s - h) */
   uint32_t t1;
 } fc_coat_phong;
 
@@ -97,7 +102,11 @@ typedef struct fc_coat_weights {
 bool fc_coat_weights_set(const fc_scan *scan, fc_coat_weights *weights);
 
 /* Smooth normals: as they are, by rays, or by forms. */
-enum { FC_SMOOTH_NOT, FC_SMOOTH_SLOW, FC_SMOOTH_FORMS };
+enum {
+  FC_SMOOTH_NOT,
+  FC_SMOOTH_SLOW,
+  FC_SMOOTH_FORMS
+};
 typedef struct fc_coat_smooth {
   int32_t at[3], dx[3], dy[3]; /* the normal, towards the eye, any length: below 2^29 in the tile, or 2^30.1 within a small triangle */
   uint8_t how;
@@ -126,10 +135,10 @@ typedef struct fc_coat_texture {
   uint32_t base[3], slope[3]; /* of white, as fc_tint has them without the half, times 256 / 255 */
   bool masked;                /* tiles whose sizes are powers of two */
   bool clamp;
-  bool sure;                  /* the forms hold */
-  bool plain;                 /* masked, and RGB565 that no light clamps */
-  uint8_t format;             /* fc_texel_format */
-  fc_coat_wide q;             /* below 2^38 */
+  bool sure;      /* the forms hold */
+  bool plain;     /* masked, and RGB565 that no light clamps */
+  uint8_t format; /* fc_texel_format */
+  fc_coat_wide q; /* below 2^38 */
   fc_coat_axis axis[2];
   const fc_texture_kind *pattern;
 } fc_coat_texture;
@@ -153,19 +162,19 @@ void fc_coat_put_levels(const fc_tint *tint, const uint32_t level[3], uint8_t *t
 #define FC_COAT_SEEN 8
 typedef struct fc_coat_seen {
   fc_form form;
-  bool sphere;      /* or a plane */
+  bool sphere;                                                                                          /* or a plane */
   int8_t (*hides)(const fc_form *form, const int64_t light[3], const int32_t point[3], uint32_t error); /* fc_kind.hides */
-  fc_quick inverse; /* 1 / radius or 1 / |normal| */
-  int64_t lamp;     /* planes: k - n.L, exact */
+  fc_quick inverse;                                                                                     /* 1 / radius or 1 / |normal| */
+  int64_t lamp;                                                                                         /* planes: k - n.L, exact */
 } fc_coat_seen;
 
 typedef struct fc_coat_mirror {
   fc_coat_seen seen[FC_COAT_SEEN];
   uint8_t count;
-  uint16_t weight[3];   /* reflectance, Q15 */
-  int64_t limit;        /* the far limit in grid units, within 2^-28; INT64_MAX: there is none that near */
-  fc_quick depth;       /* over p it is t */
-  fc_quick inverse;     /* 1 / radius */
+  uint16_t weight[3]; /* reflectance, Q15 */
+  int64_t limit;      /* the far limit in grid units, within 2^-28; INT64_MAX: there is none that near */
+  fc_quick depth;     /* over p it is t */
+  fc_quick inverse;   /* 1 / radius */
 } fc_coat_mirror;
 
 extern const fc_coat_layer fc_coat_layer_mirror;
@@ -175,16 +184,16 @@ struct fc_coat {
   fc_coat_layer layer[FC_LAYERS_MAX];
   const void *data[FC_LAYERS_MAX];
   uint8_t layers;
-  const fc_planar *planar;  /* planes */
+  const fc_planar *planar; /* planes */
   const fc_cosine *cosine;
   const fc_ball_light *light; /* spheres */
   const fc_placed_sphere *placed;
   int16_t drop;
   uint32_t error;
   fc_coat_run run;
-  bool lit;                 /* planes: the light reaches some of the tile; otherwise planar and cosine lack W's forms */
-  bool cosines;             /* planes: the run's cosines are wanted, and the tile is not coloured yet */
-  bool textured;            /* ... and a layer colours the run, what is not lit too */
+  bool lit;      /* planes: the light reaches some of the tile; otherwise planar and cosine lack W's forms */
+  bool cosines;  /* planes: the run's cosines are wanted, and the tile is not coloured yet */
+  bool textured; /* ... and a layer colours the run, what is not lit too */
   fc_coat_phong phong;
   fc_coat_smooth smooth;
   fc_coat_texture texture;

@@ -15,7 +15,11 @@ typedef struct path {
 } path;
 
 /* Nothing is met, something is, or that is too close to tell. */
-enum { MET_NOTHING, MET, MET_PERHAPS };
+enum {
+  MET_NOTHING,
+  MET,
+  MET_PERHAPS
+};
 
 /* t below 2^52; its error may be INT64_MAX. */
 typedef struct meeting {
@@ -142,7 +146,7 @@ static FC_NOINLINE bool misses(const path *ray, const int32_t o[3], uint32_t rad
   uint8_t i;
   for (i = 0; i < 3; i++) {
     const int32_t v = fc_floor_shift32(o[i], 15), w = fc_floor_shift32(ray->way[i], 15); /* 2^15 at most, and the way's length */
-    b += v * w; /* |o| |R| in all: below 2^31 */
+    b += v * w;                                                                          /* |o| |R| in all: below 2^31 */
     oo += (uint32_t)(v * v);
     sum += fc_abs32(v);
   }

@@ -119,7 +119,7 @@ static FC_HOT void planar_pixels(const fc_coat_phong *phong, const fc_tint *tint
   const uint32_t least = phong->least;
   for (; bits != 0; bits >>= 1, to += pixel_bytes) {
     if ((bits & 1) && !(x.at >> 31)) {
-      const uint32_t high = (x.at >> 16) + 1; /* up to 2^15 */
+      const uint32_t high = (x.at >> 16) + 1;                           /* up to 2^15 */
       if (high * high >= ((y.at >> 16) * (d.at >> 16) >> 16) * least) { /* 14 + 16 bits; 14 + 16 */
         const int32_t loss = log_of(y.at) + log_of(d.at) - 2 * log_of(x.at | 1);
         fc_coat_put(tint, phong->slope, fc_cosine_of(y.at, g), highlight(phong, loss), to);
@@ -243,7 +243,8 @@ static FC_COLD void sphere_start(fc_coat *coat, const void *data) {
   root = fc_quick_recip(fc_quick_from(coat->placed->factor, (int32_t)coat->placed->exponent + 30 + coat->drop));
   root = fc_quick_mul(root, fc_quick_recip(fc_quick_from((uint64_t)scan->form->u.sphere.radius, 0)));
   phong->root = root.m;
-  phong->root_up = (int8_t)(root.e < -92 ? -60 : root.e > 60 ? 92 : root.e + 32);
+  phong->root_up = (int8_t)(root.e < -92 ? -60 : root.e > 60 ? 92
+                                                             : root.e + 32);
   /* s is within 2^-21 (|s0| + 1) where p is within 2^-22 of itself, and X within twice that: c^n within 2 n of it, which may be 2^-10. And p's error
    * times `root`, over |D| of 2^28 at least. */
   s_error = (uint32_t)((fc_abs32(light->away - light->h) + (UINT32_C(1) << 24)) >> 21) + 4;
@@ -332,5 +333,5 @@ static FC_NOINLINE void sphere_run(fc_coat *coat, const void *data) {
   }
 }
 
-const fc_coat_layer fc_coat_layer_phong FC_ROM = {&fc_coat_layers, FC_COAT_ADDS, fits,         planar_start, NULL,
-                                                  planar_run,      sphere_start, sphere_run,   NULL};
+const fc_coat_layer fc_coat_layer_phong FC_ROM = {&fc_coat_layers, FC_COAT_ADDS, fits, planar_start, NULL,
+                                                  planar_run, sphere_start, sphere_run, NULL};

@@ -25,8 +25,8 @@ static FC_COLD void turned_normal(const fc_scan *scan, uint16_t vertex, int32_t 
 }
 
 /*
- * A triangle's normals at its vertices, and on which side of it they lie: 1 where `unit` points, -1, 0: not all on one side for certain, or not of unit length
- * (2^-1 .. 2^0.05), as rays will see. 2^-5 off the plane, so that weights below 0 by 2^-11 do no harm at its edges.
+ * A triangle's normals at its vertices, and on which side of it they lie: 1 where `unit` points, -1, 0: not all on one side for certain, or
+ * not of unit length (2^-1 .. 2^0.05), as rays will see. 2^-5 off the plane, so that weights below 0 by 2^-11 do no harm at its edges.
  */
 static FC_COLD int8_t normals_set(const fc_scan *scan, const uint16_t vertex[3], const int32_t unit[3], int32_t n[3][3]) {
   int32_t u[3];
@@ -88,10 +88,11 @@ static FC_COLD bool corners_set(const fc_scan *scan, screen_corners *c) {
 }
 
 /*
- * N = sum of n_i e_i / z_i: e_i, the cross product of what leads from the pixel to the two other corners, is affine, and e_i / z_i is vertex i's
- * barycentric weight times anything. The e_i add up to the area (twice the triangle's), so N within it is at most the area times the longest n_i / z_i.
- * e_i is within 5.5 sides 2^-16 and a step within 2^-15 of the longest side, of which there are a side's pixels both ways: with a height of at least a
- * pixel and an eighth of the side N is off by 2^-10.5 of what the normals differ by, where the triangle is well shaped by 2^-12. False when the triangle is not like that, or its normals do not lie to one side of it for certain.
+ * N = sum of n_i e_i / z_i: e_i, the cross product of what leads from the pixel to the two other corners, is affine, and e_i / z_i is vertex
+ * i's barycentric weight times anything. The e_i add up to the area (twice the triangle's), so N within it is at most the area times the
+ * longest n_i / z_i. e_i is within 5.5 sides 2^-16 and a step within 2^-15 of the longest side, of which there are a side's pixels both ways:
+ * with a height of at least a pixel and an eighth of the side N is off by 2^-10.5 of what the normals differ by, where the triangle is well
+ * shaped by 2^-12. False when the triangle is not like that, or its normals do not lie to one side of it for certain.
  */
 static FC_COLD bool set_small(fc_coat_smooth *smooth, const fc_scan *scan, const int32_t unit[3]) {
   screen_corners c;
@@ -147,8 +148,8 @@ static FC_COLD bool set_small(fc_coat_smooth *smooth, const fc_scan *scan, const
 }
 
 /*
- * N = sum of n_i w_i, w_i the barycentric weights times anything: affine in the pixel, no division. In 29 bits where the weights are not below 0, as
- * within the triangle, of which pixels use the upper 13; without, it may wrap. False when that tells too little.
+ * N = sum of n_i w_i, w_i the barycentric weights times anything: affine in the pixel, no division. In 29 bits where the weights are not below
+ * 0, as within the triangle, of which pixels use the upper 13; without, it may wrap. False when that tells too little.
  */
 static FC_COLD bool set_large(fc_coat_smooth *smooth, const fc_scan *scan, const int32_t unit[3]) {
   fc_coat_weights w;
@@ -228,9 +229,9 @@ FC_INLINE void row_start(smooth_row *row, const fc_coat_smooth *smooth, const fc
 #define FAINT UINT32_MAX
 
 /*
- * The cosine in Q16: -N.W / (|N| |W|), N turned against W's n. |N|^2 is below 3 2^26, or 2^28.2 of small triangles, |W|^2 below 3 2^26 and little more.
- * FAINT where they are too short: from 2^22 on cuts cost the cosine less than sqrt(3) 2^-11 / sqrt(3) = 2^-11 each, at N's and W's usual lengths 2^-13,
- * and rounded squares 2^-12 each, 2^-15 at usual lengths.
+ * The cosine in Q16: -N.W / (|N| |W|), N turned against W's n. |N|^2 is below 3 2^26, or 2^28.2 of small triangles, |W|^2 below 3 2^26 and
+ * little more. FAINT where they are too short: from 2^22 on cuts cost the cosine less than sqrt(3) 2^-11 / sqrt(3) = 2^-11 each, at N's and
+ * W's usual lengths 2^-13, and rounded squares 2^-12 each, 2^-15 at usual lengths.
  */
 FC_INLINE uint32_t cosine_of(uint32_t n0, uint32_t n1, uint32_t n2, uint32_t w0, uint32_t w1, uint32_t w2) {
   const int32_t nx = upper(n0), ny = upper(n1), nz = upper(n2), wx = upper(w0), wy = upper(w1), wz = upper(w2);
@@ -295,7 +296,8 @@ static FC_NOINLINE void planar_cosines(fc_coat *coat, const void *data) {
 /* ---- a material that is smooth and nothing else: no cosines are kept ---- */
 
 /* Colours up to 32 pixels from a column of a row on; the bits of those that are left to rays. */
-static FC_HOT uint32_t colour_run(const fc_scan *scan, const fc_coat_smooth *smooth, const fc_sheaf *w, uint16_t row, uint16_t column, uint32_t bits) {
+static FC_HOT uint32_t colour_run(const fc_scan *scan, const fc_coat_smooth *smooth, const fc_sheaf *w, uint16_t row, uint16_t column,
+                                  uint32_t bits) {
   const uint32_t all = bits;
   const uint8_t pixel_bytes = scan->pixel_bytes;
   uint8_t *to = fc_scan_pixel(scan, row, column);

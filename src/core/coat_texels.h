@@ -34,8 +34,10 @@ static FC_NOINLINE void around(const fc_coat_texture *texture, int32_t i, int32_
     const int32_t size = texture->axis[k].size;
     int32_t v = at[k];
     if (texture->clamp) {
-      next[k] = v < -1 ? 0 : v >= size - 1 ? size - 1 : v + 1;
-      at[k] = v < 0 ? 0 : v >= size ? size - 1 : v;
+      next[k] = v < -1 ? 0 : v >= size - 1 ? size - 1
+                                           : v + 1;
+      at[k] = v < 0 ? 0 : v >= size ? size - 1
+                                    : v;
       continue;
     }
     v -= tile[k];
@@ -71,8 +73,9 @@ FC_INLINE void square_of(const fc_coat_texture *texture, uint32_t x, uint32_t y,
 }
 
 /*
- * RGB565 without a clamp and tiles by masks, in words of two channels; without a call, which would cost registers. Coordinates are rounded to 2^-8, and so are the weights, which add up to 256 and are not
- * negative: (256 - wx) (256 - wy) / 256 and the like, all off by the same half at most. So 255 x 256 at most in 16 bits: no carry.
+ * RGB565 without a clamp and tiles by masks, in words of two channels; without a call, which would cost registers. Coordinates are rounded to
+ * 2^-8, and so are the weights, which add up to 256 and are not negative: (256 - wx) (256 - wy) / 256 and the like, all off by the same half
+ * at most. So 255 x 256 at most in 16 bits: no carry.
  */
 static FC_HOT void put_plain(const fc_coat_texture *texture, const fc_coat_span *span) {
   const int32_t *xy = span->xy;

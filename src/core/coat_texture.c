@@ -18,7 +18,7 @@ static FC_COLD bool light_of(const fc_scan *scan, bool modulate, fc_coat_texture
       base = ((uint32_t)ambient[i] << 8) * top; /* 15 + 8 + 8 bits */
     }
     if (modulate && base >= (uint32_t)top << FC_TINT_BITS) return false; /* the tint was cut there */
-    base += base >> 8;   /* 256 / 255 within 2^-16 */
+    base += base >> 8;                                                   /* 256 / 255 within 2^-16 */
     slope += (slope + 128) >> 8;
     if (slope >= UINT32_C(0x8000) || base + (slope << 16) < base) return false;
     if (texture != NULL) {

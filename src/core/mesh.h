@@ -99,8 +99,8 @@ static inline uint8_t fc_mesh_level(uint8_t level) { return (uint8_t)(64 - (64 >
 static inline uint32_t fc_seen_mantissa(uint32_t seen) { return UINT32_C(1) << 31 | (seen & ~UINT32_C(31)) >> 1; }
 static inline uint8_t fc_seen_exponent(uint32_t seen) { return (uint8_t)(seen & 31); }
 
-/* A coordinate p[0] or -p[1] of a vertex that is seen, on the screen, from its middle in 2^-fraction pixels: mantissa is that of `seen`, up its exponent less
- * `shift`; up 2^exponent that fits, as the mesh has made sure. Within FC_CORNER_ERROR. */
+/* A coordinate p[0] or -p[1] of a vertex that is seen, on the screen, from its middle in 2^-fraction pixels: mantissa is that of `seen`, up
+ * its exponent less `shift`; up 2^exponent that fits, as the mesh has made sure. Within FC_CORNER_ERROR. */
 static inline int32_t fc_mesh_screen(int32_t a, int32_t up, uint32_t mantissa) {
   a = up >= 0 ? a * (INT32_C(1) << up) : fc_floor_shift32(a, up < -31 ? 31 : (uint8_t)-up);
   return fc_smulhi32(a, mantissa);

@@ -95,7 +95,10 @@ FC_INLINE uint32_t fc_cosine_of(uint32_t q, int32_t g) {
 static inline uint8_t fc_chord_of(uint32_t least, uint32_t ddq) {
   /* 4096, 1024, 256 and 64 times 5 / 4 */
   const uint32_t bend = ddq + (ddq >> 2);
-  return least >> 12 >= bend ? 4 : least >> 10 >= bend ? 3 : least >> 8 >= bend ? 2 : least >> 6 >= bend ? 1 : 0;
+  return least >> 12 >= bend ? 4 : least >> 10 >= bend ? 3
+                               : least >> 8 >= bend    ? 2
+                               : least >> 6 >= bend    ? 1
+                                                       : 0;
 }
 
 /* What fc_planar_reach left to do. */

@@ -64,6 +64,8 @@ def enumerators(tokens):
 
 def declared(tokens):
     """The names that one declaration gives to the file alone."""
+    if tokens[0] == "FC_INLINE":  # bits.h
+        tokens = ["static", "inline", *tokens[1:]]
     if tokens[0] not in ("static", "typedef", "enum", "struct", "union"):
         return
     yield from enumerators(tokens)

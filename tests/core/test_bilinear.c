@@ -8,7 +8,11 @@
 void setUp(void) {}
 void tearDown(void) {}
 
-enum { SIZE = 96, MOST = 32 * 32, COLOURS = 5 };
+enum {
+  SIZE = 96,
+  MOST = 32 * 32,
+  COLOURS = 5
+};
 
 /* A floor seen with the head tilted, so that depth changes along rows; and a lamp. */
 static const fc_plane floors[] FC_ROM = {{.normal = {0, 1, 0}, .object = 1}};
@@ -27,7 +31,8 @@ static uint16_t packed[MOST];
 static int level_of(const uint8_t *pixel, int format, int channel) {
   const int word = pixel[0] << 8 | pixel[1];
   if (format == FC_RGB888) return pixel[channel];
-  return channel == 0 ? word >> 11 : channel == 1 ? word >> 5 & 63 : word & 31;
+  return channel == 0 ? word >> 11 : channel == 1 ? word >> 5 & 63
+                                                  : word & 31;
 }
 
 /* Levels within one, and those that are off by it at most `permille` of all: a rounding here and there. */
@@ -101,7 +106,8 @@ static void test_two_bytes_a_texel(void) { compare_sizes(&fc_texture_image, FC_T
 static void test_palette(void) {
   static uint8_t numbers[MOST];
   int i;
-  for (i = 0; i < MOST; i++) numbers[i] = (uint8_t)(i % 32 < 12 ? 3 : i % 32 < 20 ? i / 32 % COLOURS : bytes[i] % COLOURS);
+  for (i = 0; i < MOST; i++) numbers[i] = (uint8_t)(i % 32 < 12 ? 3 : i % 32 < 20 ? i / 32 % COLOURS
+                                                                                  : bytes[i] % COLOURS);
   compare_sizes(&fc_texture_palette, FC_TEXEL_RGB888, numbers);
 }
 
