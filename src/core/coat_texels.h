@@ -71,8 +71,9 @@ FC_INLINE void square_of(const fc_coat_texture *texture, uint32_t x, uint32_t y,
 }
 
 /*
- * RGB565 without a clamp and tiles by masks, in words of two channels; without a call, which would cost registers. Coordinates are rounded to 2^-8, and so are the weights, which add up to 256 and are not
- * negative: (256 - wx) (256 - wy) / 256 and the like, all off by the same half at most. So 255 x 256 at most in 16 bits: no carry.
+ * RGB565 without a clamp and tiles by masks, in words of two channels; without a call, which would cost registers. Coordinates are rounded
+ * to 2^-8, and so are the weights, which add up to 256 and are not negative: (256 - wx) (256 - wy) / 256 and the like, all off by the same
+ * half at most. So 255 x 256 at most in 16 bits: no carry.
  */
 static FC_HOT void put_plain(const fc_coat_texture *texture, const fc_coat_span *span) {
   const int32_t *xy = span->xy;
