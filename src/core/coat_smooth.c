@@ -230,7 +230,7 @@ FC_INLINE void row_start(smooth_row *row, const fc_coat_smooth *smooth, const fc
 
 /*
  * The cosine in Q16: -N.W / (|N| |W|), N turned against W's n. |N|^2 is below 3 2^26, or 2^28.2 of small triangles, |W|^2 below 3 2^26 and
- * little more. FAINT where they are too short: from 2^22 on cuts cost the cosine less than sqrt(3) 2^-11 / sqrt(3) = 2^-11 each, at N's and
+ * little more. FAINT where they are too short: from 2^22 on rounding costs the cosine less than sqrt(3) / 2 2^-11 = 2^-11.2 each, at N's and
  * W's usual lengths 2^-13, and rounded squares 2^-12 each, 2^-15 at usual lengths.
  */
 FC_INLINE uint32_t cosine_of(uint32_t n0, uint32_t n1, uint32_t n2, uint32_t w0, uint32_t w1, uint32_t w2) {
@@ -357,6 +357,6 @@ static FC_COLD void planar(fc_scan *scan, const int64_t normal[3], fc_i128 k, co
   }
 }
 
-static const fc_coat_kind kind FC_ROM = {fc_coat_fits, planar, fc_coat_sphere};
+static const fc_coat_kind alone FC_ROM = {fc_coat_fits, planar, fc_coat_sphere};
 
-const fc_coat_layer fc_coat_layer_smooth FC_ROM = {&kind, FC_COAT_TURNS, fits, planar_start, planar_cosines, NULL, NULL, NULL, NULL};
+const fc_coat_layer fc_coat_layer_smooth FC_ROM = {&alone, FC_COAT_TURNS, fits, planar_start, planar_cosines, NULL, NULL, NULL, NULL};
