@@ -216,7 +216,7 @@ def aliasing(g):
                                    (("--samples", "quincunx"), "adaptive quincunx", "quincunx")):
         picture, facts = g.picture(SCENES / "show.nff", "--size", "96x96", "--transfer", "srgb", *options)
         cost = instructions(g, pattern, 96) / 1000
-        panels.append((picture[18:50, 30:78], f"{name}\n{facts['rays'] / (96 * 96):.2f} rays a pixel\n{cost:.0f} thousand instructions"))
+        panels.append((picture[18:50, 30:78], f"{name}\n{facts['rays'] / (96 * 96):.2f} rays a pixel\n{cost:.0f} thousand instructions a pixel"))
     counts, _ = g.picture(SCENES / "show.nff", "--size", "96x96", "--samples", "quincunx", "--show", "samples")
     panels.append((counts[18:50, 30:78], "where quincunx sends rays\nbright is many\n"))
     g.save("aliasing", "Aliasing and its cures (`show` at 96 x 96, a crop of 48 x 32 pixels; instructions on a Cortex-M3)", panels)

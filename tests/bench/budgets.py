@@ -143,6 +143,10 @@ def self_test():
             return Graph([place / "a.ci"], place)
 
         tests["a call through a descriptor"] = graph(("root", "__indirect_call")).worst("root")[0] == 40
+        by_hand = (place / "a.c").read_text()
+        (place / "a.c").write_text(by_hand.replace("FC_ROM = {leaf};", "FC_ROM = KIND(leaf);") + "#define KIND(check) \\\n  { \\\n    check \\\n  }\n")
+        tests["a descriptor by a macro"] = graph(("root", "__indirect_call")).worst("root")[0] == 40
+        (place / "a.c").write_text(by_hand)
         try:
             graph(("root", "__indirect_call"), (f"{place}/a.c:leaf", "root")).worst("root")
             tests["recursion"] = False

@@ -13,7 +13,10 @@ from images import Failure
 NODE = re.compile(r'^node: \{ title: "([^"]+)" label: "([^"]*)"')
 EDGE = re.compile(r'^edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"(?: label: "([^"]+)")?')
 MEMBER = re.compile(r"\(\*(\w+)\)\(")
-DESCRIPTOR = re.compile(r"^const (fc_\w+) \w+ FC_ROM = \{([^;]*)\};", re.M)
+DESCRIPTOR = re.compile(r"^const (fc_\w+) \w+ FC_ROM =\s+\{([^;]*)\};", re.M)
+# The same by a macro, for kinds that differ in some members.
+MACRO = re.compile(r"^#define (\w+)\(([\w, ]+)\)[ \\\n]*\{((?:[^\n]*\\\n)*[^\n]*)\}", re.M)
+BY_MACRO = re.compile(r"^(const fc_\w+ \w+ FC_ROM =\s+)(\w+)\(([\w, ]+)\);", re.M)
 # Pointers that are no members: a search calls any function of a visitor's form, fc_layers_apply one of three members.
 # A sphere's coat is filled in where it is made.
 VISITORS = {"visit": r"^[\w ]*\bbool (\w+)\(void \*context, const fc_cursor \*at, uint16_t index\) \{",
@@ -36,8 +39,21 @@ class Sources:
         for text in self.text.values():
             for name, body in re.findall(r"^struct (fc_\w+) \{\n(.*?)^\};", text, re.M | re.S):
                 order[name] = MEMBER.findall(body)
+        macros = {}
+        for text in self.text.values():
+            for name, parameters, body in MACRO.findall(text):
+                macros[name] = (parameters.split(", "), body.replace("\\\n", " "))
+
+        def expanded(match):
+            if match.group(2) not in macros:
+                return match.group()
+            parameters, body = macros[match.group(2)]
+            given = dict(zip(parameters, match.group(3).split(", ")))
+            return f"{match.group(1)}{{{re.sub(r'[a-z_0-9]+', lambda word: given.get(word.group(), word.group()), body)}}};"
+
         self.targets = collections.defaultdict(set)
         for name, text in self.text.items():
+            text = BY_MACRO.sub(expanded, text)
             for kind, values in DESCRIPTOR.findall(text):
                 for member, value in zip(order.get(kind, ()), map(str.strip, values.split(","))):
                     if value != "NULL":
