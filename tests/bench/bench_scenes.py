@@ -54,7 +54,7 @@ class Scenes:
         if self.source(scene).suffix == ".obj":
             return "other"
         text = self.source(scene).read_text()
-        if re.search(r"^#fc: image ", text, re.MULTILINE):
+        if re.search(r"^#fc: (image|mirror) ", text, re.MULTILINE):
             return "other"
         if not re.search(r"^pp? ", text, re.MULTILINE):
             return "quadrics"
