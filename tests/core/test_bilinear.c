@@ -9,7 +9,7 @@ void setUp(void) {}
 void tearDown(void) {}
 
 enum {
-  SIZE = 96,
+  SIZE = 72, /* RAM of the smallest chip that runs it: 64 KB */
   MOST = 32 * 32,
   COLOURS = 5
 };
