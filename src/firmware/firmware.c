@@ -230,7 +230,7 @@ static int fill_scene(run *self, uint16_t y, uint16_t rows, uint8_t *pixels) {
   target.pitch_bytes = (size_t)self->place.width * 2u;
   target.format = FC_RGB565_BE;
   target.depth = self->depth;
-  return board->render != NULL ? board->render(board->context, &self->frame, y, rows, &target)
+  return board->render != NULL ? board->render(board->context, self->scratch, &self->frame, y, rows, &target)
                                : fc_render_rows_in(self->scratch, &self->frame, y, rows, &target);
 }
 

@@ -43,11 +43,11 @@ typedef struct fc_firmware_board {
   uint32_t (*cycles)(void *context);       /* processor cycles, likewise; NULL: reckoned from microseconds and cpu_hz */
   uint8_t (*buttons)(void *context);       /* FC_BUTTON_ bits; NULL: none */
   uint32_t (*ram_bytes)(void *context);    /* static data and the deepest stack so far; NULL: not known */
-  int (*render)(void *context, const fc_frame *frame, uint16_t y, uint16_t rows,
-                const fc_target *target); /* in place of fc_render_rows (a second core); NULL: that */
-  uint32_t cpu_hz;                        /* at least 1 MHz */
-  uint16_t width, height;                 /* of the picture, which is centred; 0: the panel's */
-  uint16_t strip_rows;                    /* rows drawn at a time, at least 1; FC_DISPLAY_MONO8: 1, 2, 4 or a multiple of 8 */
+  /* In place of fc_render_rows_in (a second core), whose scratch is for the core that calls; NULL: that. */
+  int (*render)(void *context, fc_scratch *scratch, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
+  uint32_t cpu_hz;        /* at least 1 MHz */
+  uint16_t width, height; /* of the picture, which is centred; 0: the panel's */
+  uint16_t strip_rows;    /* rows drawn at a time, at least 1; FC_DISPLAY_MONO8: 1, 2, 4 or a multiple of 8 */
   /* Strips of pixels: 0 or 2; 3 or 4 where the bus is as queue.h says: then the next strip follows from the interrupt, and what is drawn
    * slowly is made up for by what was drawn fast. */
   uint8_t buffers;

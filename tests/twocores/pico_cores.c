@@ -127,14 +127,16 @@ typedef struct picture {
   uint32_t lit[PIXELS];
 } picture;
 
-typedef int render(void *context, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
+typedef int render(void *context, fc_scratch *scratch, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target);
 
-static int on_one_core(void *context, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
+static int on_one_core(void *context, fc_scratch *scratch, const fc_frame *frame, uint16_t y, uint16_t rows, const fc_target *target) {
   (void)context;
+  (void)scratch;
   return fc_render_rows(frame, y, rows, target);
 }
 
 static int draw(render *how, const fc_frame *frame, unsigned rows, int masks, picture *to) {
+  static fc_scratch scratch;
   unsigned y;
   memset(to, 0x5a, sizeof *to);
   for (y = 0; y < HEIGHT; y += rows) {
@@ -143,7 +145,7 @@ static int draw(render *how, const fc_frame *frame, unsigned rows, int masks, pi
     const fc_target target = {.pixels = to->pixels + at, .pitch_bytes = WIDTH * 2, .format = FC_RGB565_BE, .depth = to->depth + at,
                               .primitive = masks ? to->primitive + at : NULL, .lit = masks ? to->lit + at : NULL};
     /* clang-format on */
-    const int error = how(NULL, frame, (uint16_t)y, (uint16_t)(left < rows ? left : rows), &target);
+    const int error = how(NULL, &scratch, frame, (uint16_t)y, (uint16_t)(left < rows ? left : rows), &target);
     if (error != FC_OK) return error;
   }
   return FC_OK;
@@ -153,6 +155,7 @@ int main(void) {
   static int64_t memory[64];
   static fc_frame frame;
   static picture one, two;
+  static fc_scratch scratch;
   fc_target nowhere = {.pixels = two.pixels, .pitch_bytes = WIDTH * 2, .format = FC_RGB565_BE, .depth = two.depth};
   unsigned rows;
   if (fc_frame_setup(&frame, &s1, &s1_camera, NULL, WIDTH, HEIGHT, memory, sizeof memory) != FC_OK) {
@@ -170,9 +173,9 @@ int main(void) {
     check(rows == 1 || given[1] - before == (HEIGHT % rows < 2 ? HEIGHT / rows : HEIGHT / rows + 1),
           "core 1 has drawn part of every strip that can be shared", rows);
   }
-  check(fcp_cores_render(NULL, &frame, HEIGHT - 1, 2, &nowhere) == FC_ERR_SIZE, "an error of the lower half comes out", 2);
+  check(fcp_cores_render(NULL, &scratch, &frame, HEIGHT - 1, 2, &nowhere) == FC_ERR_SIZE, "an error of the lower half comes out", 2);
   nowhere.format = 99;
-  check(fcp_cores_render(NULL, &frame, 0, 2, &nowhere) == FC_ERR_FORMAT, "an error of both halves comes out", 2);
+  check(fcp_cores_render(NULL, &scratch, &frame, 0, 2, &nowhere) == FC_ERR_FORMAT, "an error of both halves comes out", 2);
   check(to_core[0].count == 0 && to_core[1].count == 0, "no word is left between the cores", 2);
   printf("%d failures\n", failures);
   return failures != 0;
