@@ -26,7 +26,11 @@ enum {
 #else
 enum {
   WIDTH = 240,
+#ifdef PICO_TWO_CORES
+  STRIP_ROWS = 6, /* core 1's stack and scratch have to fit 24 KB too */
+#else
   STRIP_ROWS = 8,
+#endif
   BUFFERS = 3
 };
 #define PANEL fc_panel_st7789_240
