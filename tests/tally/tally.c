@@ -77,7 +77,8 @@ static void test_exact_forms_are_rare_on_own_scenes(void) {
 }
 
 /* A pixel or light that the fast forms leave open costs as much as a ray: at most one shown pixel in 20 may, and one in 5 of
- * fight, whose surfaces share their planes so that only the exact order tells them apart; and one light in 200. */
+ * fight, whose surfaces share their planes so that only the exact order tells them apart; and one light in 200, one in 5 of gloss, whose
+ * layers' forms leave what is small or far to rays. */
 static void measure_scan(const char *name, const fc_scene *scene, const fc_camera *camera) {
   static const uint16_t sizes[] = {SIZE, 128, LARGE};
   for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++) {
@@ -88,7 +89,7 @@ static void measure_scan(const char *name, const fc_scene *scene, const fc_camer
     printf("%-6s %3d scan: %lu pixels shown, %lu pixels and %lu lights left open\n", name, sizes[k], shown,
            total[FC_DECIDE_PIXEL], total[FC_DECIDE_LIT]);
     TEST_ASSERT_TRUE_MESSAGE(total[FC_DECIDE_PIXEL] * (strcmp(name, "fight") == 0 ? 5 : 20) < shown, name);
-    TEST_ASSERT_TRUE_MESSAGE(total[FC_DECIDE_LIT] * 200 < shown, name);
+    TEST_ASSERT_TRUE_MESSAGE(total[FC_DECIDE_LIT] * (strcmp(name, "gloss") == 0 ? 5 : 200) < shown, name);
   }
 }
 
