@@ -226,6 +226,16 @@ FC_INLINE void row_start(smooth_row *row, const fc_coat_smooth *smooth, const fc
   }
 }
 
+/* One column on. */
+FC_INLINE void row_next(smooth_row *row) {
+  row->n[0] += row->dn[0];
+  row->n[1] += row->dn[1];
+  row->n[2] += row->dn[2];
+  row->w[0] += row->dw[0];
+  row->w[1] += row->dw[1];
+  row->w[2] += row->dw[2];
+}
+
 #define FAINT UINT32_MAX
 
 /*
@@ -269,12 +279,7 @@ static FC_HOT uint32_t cosines(smooth_row at, uint32_t bits, uint32_t *cosine) {
     } else {
       *cosine = 0; /* what lies between is read, and not shown */
     }
-    at.n[0] += at.dn[0];
-    at.n[1] += at.dn[1];
-    at.n[2] += at.dn[2];
-    at.w[0] += at.dw[0];
-    at.w[1] += at.dw[1];
-    at.w[2] += at.dw[2];
+    row_next(&at);
   }
   return faint;
 }
@@ -312,12 +317,7 @@ static FC_HOT uint32_t colour_run(const fc_scan *scan, const fc_coat_smooth *smo
       else
         fc_tint_put(&scan->tint, c, to);
     }
-    at.n[0] += at.dn[0];
-    at.n[1] += at.dn[1];
-    at.n[2] += at.dn[2];
-    at.w[0] += at.dw[0];
-    at.w[1] += at.dw[1];
-    at.w[2] += at.dw[2];
+    row_next(&at);
     to += pixel_bytes;
     bits >>= 1;
   } while (bits != 0);
